@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from freecad_ortho.building import build_surface
 from freecad_ortho.calls import list_keywords
 from freecad_ortho.fabricating import fabricate, write_fabrication
-from freecad_ortho.mesh_files import LoadedMesh, read_mesh
+from freecad_ortho.mesh_files import ReadMesh, read_mesh
 from freecad_ortho.stand_in import stand_in
 from freecad_ortho.standing import check_structure, size_structure, write_structural_check
 from freecad_ortho.step_faces import net_from_step
@@ -79,8 +79,8 @@ if TYPE_CHECKING:
     )
 
 __all__ = [
-    "LoadedMesh",
     "Quadric",
+    "ReadMesh",
     "add_arches",
     "add_beams",
     "add_bent_panels",

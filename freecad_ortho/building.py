@@ -20,7 +20,7 @@ from freecad_ortho.fabrication import Limits, Workshop, materials_of, systems_of
 from freecad_ortho.fabrication.files import REPORT
 from freecad_ortho.fabrication.report.way import Stage, Way
 from freecad_ortho.keywords import Sizes, WorkshopSettings
-from freecad_ortho.mesh_files import LoadedMesh, read_mesh
+from freecad_ortho.mesh_files import ReadMesh, read_mesh
 from freecad_ortho.stages import ALIGN, FABRICATE, OPTIMISE, Stages, digest, key_of
 from freecad_ortho.surface_files import Found, SurfaceFile
 from freecad_ortho.units import millimetres_per
@@ -60,8 +60,8 @@ class Built:
         report: all that ``report.json`` tells.
     """
 
-    aligned: LoadedMesh
-    net: LoadedMesh
+    aligned: ReadMesh
+    net: ReadMesh
     form: tuple[Finding, ...]
     exact: bool
     parts: bool
@@ -161,14 +161,14 @@ def build_surface(
             keep_outcome_of(aligned, outcome, staging, entry)
 
     def make_parts() -> None:
-        begin, loaded = time.monotonic(), read_mesh(stages.folder / NET)
+        begin, read = time.monotonic(), read_mesh(stages.folder / NET)
         parts = fabricate(
-            loaded.mesh,
+            read.mesh,
             system,
-            unit=loaded.unit,
+            unit=read.unit,
             material=material,
             limits=limits,
-            border=loaded.border,
+            border=read.border,
             **sizes,
         )
         project, way = Path(surface).stem, way_of(stages)
@@ -274,7 +274,7 @@ def keep_aligned(found: Found, folder: Path, entry: dict[str, Any]) -> None:
 
 
 def keep_outcome_of(
-    aligned: LoadedMesh, outcome: Outcome, folder: Path, entry: dict[str, Any]
+    aligned: ReadMesh, outcome: Outcome, folder: Path, entry: dict[str, Any]
 ) -> None:
     """Write the files of an exact net, in the coordinates of ``aligned``, and tell of its form."""
     mesh, report = outcome.mesh, outcome.report

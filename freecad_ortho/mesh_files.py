@@ -60,7 +60,7 @@ def upright(points: FloatArray, up: str) -> FloatArray:
 
 
 @dataclass(frozen=True)
-class LoadedMesh:
+class ReadMesh:
     """A mesh from a file.
 
     Attributes:
@@ -93,7 +93,7 @@ class LoadedMesh:
 
 def read_mesh(
     path: str | os.PathLike[str], unit: str | None = None, up: str = "z", mixed: bool = False
-) -> LoadedMesh:
+) -> ReadMesh:
     """Read a quad mesh; its unit is the one given, else the one the file names, else mm.
 
     Args:
@@ -122,4 +122,4 @@ def read_mesh(
             f"no unit is said, taken as mm: the mesh is {width:.2g} mm wide; if that is wrong say "
             "the unit (--unit m, or unit of imported meshes in FreeCAD's preferences)"
         )
-    return LoadedMesh(mesh, chosen, tuple(remarks), data.border)
+    return ReadMesh(mesh, chosen, tuple(remarks), data.border)

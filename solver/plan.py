@@ -79,7 +79,7 @@ class Plan:
         once: one attempt with these weights, and no other.
         tuning: the numbers of the solver.
         supports: (V,) true for vertices that carry its loads, by default the fixed ones.
-        patch: faces along and across the patches of the multi-net guide.
+        rectangle: faces along and across the patches of the multi-net guide.
     """
 
     net: Net
@@ -91,7 +91,7 @@ class Plan:
     once: bool = False
     tuning: Tuning = field(default_factory=Tuning)
     supports: BoolArray | None = None
-    patch: tuple[int, int] = (1, 2)
+    rectangle: tuple[int, int] = (1, 2)
 
     def way(self) -> Attempts:
         """From the start to the net."""
@@ -180,7 +180,7 @@ class Plan:
         )
         problem = net.recipe(empty, self.options)
         add_constraints(problem, self.constraints, ladder[0].closeness)
-        return add_guides(problem, ladder, self.patch)
+        return add_guides(problem, ladder, self.rectangle)
 
     @property
     def _hasty(self) -> bool:

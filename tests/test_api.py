@@ -200,7 +200,7 @@ def test_a_function_lists_its_keywords_where_one_is_unknown():
 
 def first_is_mesh(name):
     parameters = list(inspect.signature(getattr(api, name)).parameters.values())
-    return bool(parameters) and parameters[0].annotation == "QuadMesh" and name != "LoadedMesh"
+    return bool(parameters) and parameters[0].annotation == "QuadMesh" and name != "ReadMesh"
 
 
 @pytest.mark.parametrize("name", [name for name in api.__all__ if first_is_mesh(name)])
@@ -211,10 +211,10 @@ def test_what_is_no_mesh_is_refused_with_the_way_to_one(name, barrel):
         "offset_mesh": (1.0,),
         "size_structure": ("tubes",),
     }.get(name, ())
-    loaded = api.LoadedMesh(barrel, "mm", ())
+    read = api.ReadMesh(barrel, "mm", ())
     for given, remedy in (
         ("roof.obj", r"got str; read the file with read_mesh first$"),
-        (loaded, r"got LoadedMesh; give its \.mesh$"),
+        (read, r"got ReadMesh; give its \.mesh$"),
         (barrel.vertices, r"got ndarray; QuadMesh\(vertices, faces\) makes one of arrays$"),
     ):
         with pytest.raises(InputError, match=r"^mesh: expected a QuadMesh, " + remedy):

@@ -151,7 +151,7 @@ def settings_of(*arguments: str):
     net_options.add(parser)
     net_options.add_close_to(parser)
     options = parser.parse_args(arguments)
-    return net_options.settings(options, api.LoadedMesh(wavy_grid(3, 3), "m", ()))
+    return net_options.settings(options, api.ReadMesh(wavy_grid(3, 3), "m", ()))
 
 
 @pytest.mark.parametrize(("gap", "closed"), [(0.0, True), (1e-9, True), (0.5, False)])

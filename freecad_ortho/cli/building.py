@@ -144,17 +144,17 @@ def _align(options: argparse.Namespace, lines: str, stages: Stages) -> None:
 
 def _optimise(options: argparse.Namespace, stages: Stages) -> None:
     begin = time.monotonic()
-    loaded = api.read_mesh(stages.folder / building.ALIGNED)
-    planes = building.mirror_planes(loaded.near, options.symmetry)
+    read = api.read_mesh(stages.folder / building.ALIGNED)
+    planes = building.mirror_planes(read.near, options.symmetry)
     exact = _with_planes(options, planes)
-    settings = net_options.settings(exact, loaded, _surface(options, loaded.unit))
+    settings = net_options.settings(exact, read, _surface(options, read.unit))
     with stages.made(OPTIMISE) as (folder, entry):
-        outcome = optimising.optimised(options, loaded, settings)
+        outcome = optimising.optimised(options, read, settings)
         _pass_on_interrupt(outcome, settings["max_steps"])
-        back = replace(outcome, mesh=loaded.origin.back_mesh(outcome.mesh))
-        building.keep_outcome_of(loaded, back, folder, entry)
+        back = replace(outcome, mesh=read.origin.back_mesh(outcome.mesh))
+        building.keep_outcome_of(read, back, folder, entry)
         entry |= _told(options, OPTIMISE, begin)
-    optimising.tell(outcome, str(stages.folder / building.NET), loaded)
+    optimising.tell(outcome, str(stages.folder / building.NET), read)
 
 
 def _with_planes(options: argparse.Namespace, letters: str) -> argparse.Namespace:

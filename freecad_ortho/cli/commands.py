@@ -122,10 +122,10 @@ def _optimise(options: argparse.Namespace) -> int:
 
 
 def _check(options: argparse.Namespace) -> int:
-    loaded = reporting.load(options, mixed=True)
-    result = {"file": options.input, "unit": loaded.unit, **api.check(loaded.mesh)}
+    read = reporting.read_net(options, mixed=True)
+    result = {"file": options.input, "unit": read.unit, **api.check(read.mesh)}
     if options.build:
-        score = build_score(loaded.mesh, millimetres_per(loaded.unit), options.sections)
+        score = build_score(read.mesh, millimetres_per(read.unit), options.sections)
         result["build"] = score.as_dict()
     text = json.dumps(result, indent=2) if options.json else reporting.check_table(result)
     sys.stdout.write(text + "\n")

@@ -98,7 +98,7 @@ def add_settings(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Build the structure and write its files."""
-    words = fabricated(options, reporting.load(options, mixed=True), Path(options.input).stem)
+    words = fabricated(options, reporting.read_net(options, mixed=True), Path(options.input).stem)
     sys.stdout.write(f"{words}\n")
     return EXIT_OK
 
@@ -118,13 +118,13 @@ def refuse_unfit(options: argparse.Namespace) -> None:
 
 
 def fabricated(
-    options: argparse.Namespace, loaded: api.LoadedMesh, project: str, way: Way | None = None
+    options: argparse.Namespace, read: api.ReadMesh, project: str, way: Way | None = None
 ) -> str:
     """Build the structure and write its files; a line that says what was made.
 
     Args:
         options: of the command.
-        loaded: the net.
+        read: the net.
         project: what the readable report is headed by.
         way: what the reports begin with.
 
@@ -134,16 +134,16 @@ def fabricated(
     """
     workshop = arguments.given(Workshop.options, options)
     Workshop.of(workshop)
-    scale = millimetres_per(loaded.unit)
+    scale = millimetres_per(read.unit)
     structure = api.fabricate(
-        loaded.mesh,
+        read.mesh,
         options.system,
         family=options.family,
         lines=_lines(options),
         material=options.material,
         density=options.density,
-        unit=loaded.unit,
-        border=_border(options, loaded),
+        unit=read.unit,
+        border=_border(options, read),
         limits=Limits.of(arguments.given(Limits.options, options)),
         **_sizes(options),
     )
@@ -166,7 +166,7 @@ def fabricated(
             project=project,
             way=way,
             check=options.check,
-            origin=values.origin_of(options, loaded.origin).scaled(scale).shift.tolist(),
+            origin=values.origin_of(options, read.origin).scaled(scale).shift.tolist(),
             **workshop,
         )
     return reporting.fabrication_line(structure, options.output)
@@ -176,7 +176,7 @@ def _lines(options: argparse.Namespace) -> tuple[int, ...] | None:
     return None if options.lines is None else values.whole_numbers("--lines", options.lines)
 
 
-def _border(options: argparse.Namespace, loaded: api.LoadedMesh) -> list[FloatArray]:
+def _border(options: argparse.Namespace, read: api.ReadMesh) -> list[FloatArray]:
     """The closed curves along which parts are trimmed, in the unit of the net.
 
     Raises:
@@ -185,16 +185,16 @@ def _border(options: argparse.Namespace, loaded: api.LoadedMesh) -> list[FloatAr
     if options.untrimmed:
         return []
     if options.trim_along is None:
-        return list(loaded.border)
+        return list(read.border)
     lines: list[FloatArray] = []
     for path in options.trim_along:
         if not keeps_border(path):
-            lines += read_curves(path, loaded.unit, options.up)
+            lines += read_curves(path, read.unit, options.up)
             continue
         other = api.read_mesh(path, options.unit, options.up)
         if not other.border:
             raise InputError(f"{path}: has no border; name another file, or build --untrimmed")
-        scale = millimetres_per(other.unit) / millimetres_per(loaded.unit)
+        scale = millimetres_per(other.unit) / millimetres_per(read.unit)
         lines += [scale * line for line in other.border]
     return lines
 

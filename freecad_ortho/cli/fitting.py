@@ -27,21 +27,21 @@ def run(options: argparse.Namespace) -> int:
     """Fit and write."""
     values.refuse_unwritable(options.output)
     counts = values.sampling(options.sampling) if options.sampling else None
-    loaded = reporting.load(options)
-    before = multi_net_residual(loaded.near).worst
-    fit = fit_multi_net(loaded.near)
+    read = reporting.read_net(options)
+    before = multi_net_residual(read.near).worst
+    fit = fit_multi_net(read.near)
     mesh = fit.mesh
     if counts:
         mesh = fit.net.sampled(*counts, (float(fit.t.min()), float(fit.t.max())))
     with np.errstate(divide="ignore"):
         lengths = 1.0 / np.sqrt(np.abs(fit.quadric.curvatures))
-    centre = loaded.origin.back(fit.quadric.centre)
+    centre = read.origin.back(fit.quadric.centre)
     words = (
         f"{fit.quadric.kind}, semi-axes {_list(lengths)}, centre {_list(centre)} "
-        f"{loaded.unit}; rectangles off by {before:.1e} of the squared size before; vertices moved "
-        f"by at most {fit.deviation:.3g} {loaded.unit}"
+        f"{read.unit}; rectangles off by {before:.1e} of the squared size before; vertices moved "
+        f"by at most {fit.deviation:.3g} {read.unit}"
     )
-    return values.write(options, mesh, loaded.unit, words, loaded.origin)
+    return values.write(options, mesh, read.unit, words, read.origin)
 
 
 def _list(numbers: np.ndarray) -> str:

@@ -39,9 +39,9 @@ def run(options: argparse.Namespace) -> int:
     for option in _ENDS:
         option.check(ends[option.name])
     told = arguments.given(FORM.options, options)
-    loaded = reporting.load(options)
+    read = reporting.read_net(options)
     form, remarks = found(
-        loaded.near,
+        read.near,
         **(FORM.defaults | told),
         tolerance=ends["tolerance"],
         max_iterations=ends["max_steps"],
@@ -53,5 +53,5 @@ def run(options: argparse.Namespace) -> int:
         if form.unbalanced > 1:
             return EXIT_NOT_CONVERGED
     words = f"{form.message}, {form.iterations} solves, unbalanced {form.unbalanced:.1e}"
-    values.write(options, form.mesh, loaded.unit, words, loaded.origin)
+    values.write(options, form.mesh, read.unit, words, read.origin)
     return EXIT_OK if form.converged else EXIT_NOT_CONVERGED

@@ -114,30 +114,30 @@ def refuse_unfit(options: argparse.Namespace) -> Net:
 
 
 def settings(
-    options: argparse.Namespace, loaded: api.LoadedMesh, surface: Triangles | None = None
+    options: argparse.Namespace, read: api.ReadMesh, surface: Triangles | None = None
 ) -> dict[str, Any]:
     """Turn parsed options into keyword arguments of ``api.optimise`` for a mesh near its origin.
 
     Args:
         options: those of this module.
-        loaded: the mesh.
+        read: the mesh.
         surface: to stay near where the options name none, in the unit of the mesh.
 
     Raises:
         InputError: an option that the net does not have, or one that cannot be used.
     """
     asked = refuse_unfit(options)
-    chosen = arguments.given(OPTIONS.values(), options, loaded.unit)
+    chosen = arguments.given(OPTIONS.values(), options, read.unit)
     standing, ends = options.supports or asked.supports, (STEPS, *WEIGHTS.values())
     if "reference" in chosen:
-        chosen["reference"] = _reference(chosen["reference"], options.up, loaded)
+        chosen["reference"] = _reference(chosen["reference"], options.up, read)
     return {
         "fix": standing if options.supports_fixed else options.fix,
         "supports": "" if options.supports_fixed else options.supports or "",
         **{option.name: option.default for option in ends},
-        **arguments.given(ends, options, loaded.unit),
+        **arguments.given(ends, options, read.unit),
         "options": NetOptions(**chosen),
-        "constraints": _constraints(options, loaded, surface),
+        "constraints": _constraints(options, read, surface),
     }
 
 
@@ -145,9 +145,9 @@ def _nets(names: tuple[str, ...]) -> str:
     return ", ".join(names) or "no net"
 
 
-def _reference(path: str, up: str, loaded: api.LoadedMesh) -> FloatArray:
+def _reference(path: str, up: str, read: api.ReadMesh) -> FloatArray:
     """Positions of the reference mesh, whose faces must be those of the mesh."""
-    data, mesh = read_mesh_file(path, up), loaded.mesh
+    data, mesh = read_mesh_file(path, up), read.mesh
     other, _ = quads_of(data, path)
     if other.vertices.shape != mesh.vertices.shape or not np.array_equal(other.faces, mesh.faces):
         raise InputError(
@@ -155,7 +155,7 @@ def _reference(path: str, up: str, loaded: api.LoadedMesh) -> FloatArray:
             f"{len(other.faces)}, not {len(mesh.vertices)} and {len(mesh.faces)}, or in another "
             "order); give the same mesh in another shape"
         )
-    return _in_unit(other.vertices, data.unit, loaded.unit)
+    return _in_unit(other.vertices, data.unit, read.unit)
 
 
 def _in_unit(points: FloatArray, named: str | None, wanted: str) -> FloatArray:
@@ -164,11 +164,11 @@ def _in_unit(points: FloatArray, named: str | None, wanted: str) -> FloatArray:
 
 
 def _constraints(
-    options: argparse.Namespace, loaded: api.LoadedMesh, near: Triangles | None
+    options: argparse.Namespace, read: api.ReadMesh, near: Triangles | None
 ) -> Constraints | None:
     """What the options hold, about the local origin of the mesh."""
-    wanted = _read_constraints(options, loaded.unit, near)
-    return None if wanted is None else wanted.about(loaded.origin)
+    wanted = _read_constraints(options, read.unit, near)
+    return None if wanted is None else wanted.about(read.origin)
 
 
 def refuse_unreadable(options: argparse.Namespace) -> None:

@@ -35,9 +35,9 @@ def run(options: argparse.Namespace) -> int:
     values.refuse_unwritable(options.output, options.report)
     entry = source("offset")
     told = entry.defaults | arguments.given(entry.options, options)
-    loaded = reporting.load(options)
-    scale = millimetres_per(loaded.unit)
-    found = api.offset_mesh(loaded.near.scaled(scale), **told)
+    read = reporting.read_net(options)
+    scale = millimetres_per(read.unit)
+    found = api.offset_mesh(read.near.scaled(scale), **told)
     if options.report:
         report = {
             "kind": found.kind,
@@ -53,4 +53,4 @@ def run(options: argparse.Namespace) -> int:
         past_stopping()
         write_text(options.report, json.dumps(report, indent=2) + "\n")
     mesh, words = found.mesh.scaled(1 / scale), f"in mm: {found.message}"
-    return values.write(options, mesh, loaded.unit, words, loaded.origin)
+    return values.write(options, mesh, read.unit, words, read.origin)

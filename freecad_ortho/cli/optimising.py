@@ -22,40 +22,36 @@ from solver.report import CONVERGED, Repeated, Report
 
 def run(options: argparse.Namespace) -> bool:
     """Optimise as the options say; return whether the net was reached, as near as was asked."""
-    loaded = reporting.load(options, mixed=True)
-    settings = net_options.settings(options, loaded)
+    read = reporting.read_net(options, mixed=True)
+    settings = net_options.settings(options, read)
     values.refuse_unwritable(options.output, options.report)
-    outcome = optimised(options, loaded, settings)
-    wanted = values.write_mesh(
-        options, outcome.mesh, loaded.unit, loaded.origin, loaded.near_border
-    )
+    outcome = optimised(options, read, settings)
+    wanted = values.write_mesh(options, outcome.mesh, read.unit, read.origin, read.near_border)
     if options.report:
-        places = {"origin": loaded.origin.shift.tolist(), "file_origin": wanted.shift.tolist()}
+        places = {"origin": read.origin.shift.tolist(), "file_origin": wanted.shift.tolist()}
         numbers = outcome.report.as_dict() | places
         write_text(options.report, json.dumps(numbers, indent=2) + "\n")
-    tell(outcome, options.output, loaded)
+    tell(outcome, options.output, read)
     if wanted.far:
-        sys.stdout.write(f"{values.about(wanted, loaded.unit)}\n")
+        sys.stdout.write(f"{values.about(wanted, read.unit)}\n")
     report = outcome.report
     return report.status == CONVERGED and report.is_within and report.is_repeated
 
 
-def optimised(
-    options: argparse.Namespace, loaded: api.LoadedMesh, settings: dict[str, Any]
-) -> Outcome:
+def optimised(options: argparse.Namespace, read: api.ReadMesh, settings: dict[str, Any]) -> Outcome:
     """Optimise a mesh and show how far it is.
 
     Args:
         options: with ``net`` and ``verbose``.
-        loaded: the mesh.
+        read: the mesh.
         settings: from :func:`net_options.settings`.
 
     Returns:
         the outcome, about the local origin of the mesh.
     """
-    optimisation = api.start_optimisation(loaded.near, options.net, **settings)
+    optimisation = api.start_optimisation(read.near, options.net, **settings)
     # Before the first step: whoever reads it need not wait for the end.
-    side = side_remark(loaded.near, *settings["options"].load_vectors)
+    side = side_remark(read.near, *settings["options"].load_vectors)
     for remark in [*optimisation.remarks, *([] if side is None else [side])]:
         sys.stderr.write(f"note: {remark}\n")
     with reporting.Progress(options.verbose) as progress:
@@ -77,9 +73,9 @@ def _follower(progress: reporting.Progress, tolerance: float) -> Callable[[StepR
     return follow
 
 
-def tell(outcome: Outcome, path: str, loaded: api.LoadedMesh) -> None:
+def tell(outcome: Outcome, path: str, read: api.ReadMesh) -> None:
     """Say what was reached; on stderr where that is not what was asked for."""
-    report, unit = outcome.report, loaded.unit
+    report, unit = outcome.report, read.unit
     moved, edge = report.moved, report.mean_edge
     most = f"{_digits(moved.max * edge)} {unit}"
     stream = sys.stdout if report.status == CONVERGED else sys.stderr
@@ -100,7 +96,7 @@ def tell(outcome: Outcome, path: str, loaded: api.LoadedMesh) -> None:
             f"{before} {unit} and is {after} {unit}\n"
         )
     for remark in report.remarks:
-        if remark not in loaded.remarks:
+        if remark not in read.remarks:
             stream.write(f"note: {remark}\n")
 
 

@@ -20,18 +20,18 @@ if TYPE_CHECKING:
 _BAR = 30
 
 
-def load(options: argparse.Namespace, mixed: bool = False) -> api.LoadedMesh:
+def read_net(options: argparse.Namespace, mixed: bool = False) -> api.ReadMesh:
     """Read the input mesh and say on stderr what was mended.
 
     Its faces have four corners each, or any number where ``mixed`` ones are asked for.
     """
-    loaded = api.read_mesh(options.input, options.unit, options.up, mixed)
-    for remark in loaded.remarks:
+    read = api.read_mesh(options.input, options.unit, options.up, mixed)
+    for remark in read.remarks:
         sys.stderr.write(f"note: {remark}\n")
-    if loaded.origin.far:
-        words = about(loaded.origin, loaded.unit).replace("coordinates", "all work is done", 1)
+    if read.origin.far:
+        words = about(read.origin, read.unit).replace("coordinates", "all work is done", 1)
         sys.stderr.write(f"note: the mesh is far from the origin: {words}\n")
-    return loaded
+    return read
 
 
 class Progress:

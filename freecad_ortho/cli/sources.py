@@ -103,29 +103,27 @@ def _changer(
             if getattr(options, gone, None) is not None:
                 raise InputError(f"--{gone}: is a command of its own now; write {now}")
         values.refuse_unwritable(options.output)
-        loaded = reporting.load(options)
-        told = arguments.given(entry.options, options, loaded.unit)
+        read = reporting.read_net(options)
+        told = arguments.given(entry.options, options, read.unit)
         placed = name in _PLACED
-        mesh = loaded.mesh if placed else loaded.near
-        source_made = entry.make(untold | told, loaded.unit, meshes=[mesh])
+        mesh = read.mesh if placed else read.near
+        source_made = entry.make(untold | told, read.unit, meshes=[mesh])
         for remark in source_made.remarks:
             sys.stderr.write(f"note: {remark}\n")
         made = source_made.mesh
-        made = loaded.origin.near_mesh(made) if placed else made
-        border = loaded.near_border if entry.stays else ()
-        if loaded.border and not border:
+        made = read.origin.near_mesh(made) if placed else made
+        border = read.near_border if entry.stays else ()
+        if read.border and not border:
             sys.stderr.write("note: the border of the surface stays behind\n")
-        return values.write(options, made, loaded.unit, origin=loaded.origin, border=border)
+        return values.write(options, made, read.unit, origin=read.origin, border=border)
 
     return run
 
 
 def _convert(options: argparse.Namespace) -> int:
     values.refuse_unwritable(options.output)
-    loaded = reporting.load(options)
-    return values.write(
-        options, loaded.near, loaded.unit, origin=loaded.origin, border=loaded.near_border
-    )
+    read = reporting.read_net(options)
+    return values.write(options, read.near, read.unit, origin=read.origin, border=read.near_border)
 
 
 def _add_primitive(parser: argparse.ArgumentParser) -> None:
@@ -178,15 +176,15 @@ def _add_weld(parser: argparse.ArgumentParser) -> None:
 def _weld(options: argparse.Namespace) -> int:
     values.refuse_unwritable(options.output)
     _refuse_part(options.tolerance)
-    loaded = [api.read_mesh(path, options.unit, options.up) for path in options.inputs]
-    unit, origin = loaded[0].unit, loaded[0].origin
-    patches = [one.mesh.scaled(millimetres_per(one.unit) / millimetres_per(unit)) for one in loaded]
-    patches = [origin.near_mesh(patch) for patch in patches]
+    read = [api.read_mesh(path, options.unit, options.up) for path in options.inputs]
+    unit, origin = read[0].unit, read[0].origin
+    nets = [one.mesh.scaled(millimetres_per(one.unit) / millimetres_per(unit)) for one in read]
+    nets = [origin.near_mesh(net) for net in nets]
     entry = source("weld")
     told = arguments.given(entry.options, options, unit)
     if not told:
-        told["tolerance"] = MEETING * size_of(np.concatenate([p.vertices for p in patches]))
-    made = entry.make(told, unit, meshes=patches)
+        told["tolerance"] = MEETING * size_of(np.concatenate([p.vertices for p in nets]))
+    made = entry.make(told, unit, meshes=nets)
     merged, *remarks = made.remarks
     for remark in remarks:
         sys.stderr.write(f"note: {remark}\n")

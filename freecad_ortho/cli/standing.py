@@ -71,16 +71,16 @@ def run(options: argparse.Namespace) -> int:
     """Check and write; what the check comes to is the last line and the exit code."""
     settings = _settings(options)
     Design.of(settings)
-    loaded = reporting.load(options)
-    common = {"unit": loaded.unit, "combinations": options.combinations, **settings}
+    read = reporting.read_net(options)
+    common = {"unit": read.unit, "combinations": options.combinations, **settings}
     found: StructuralCheck | Sizing
     with reporting.Progress(options.verbose) as progress:
         if options.lightest_of is None:
-            found = check = api.check_structure(loaded.mesh, progress=progress, **common)
+            found = check = api.check_structure(read.mesh, progress=progress, **common)
         else:
             common.pop("section", None)
             found = api.size_structure(
-                loaded.mesh, options.lightest_of, groups=options.groups, progress=progress, **common
+                read.mesh, options.lightest_of, groups=options.groups, progress=progress, **common
             )
             check = found.check
     past_stopping()

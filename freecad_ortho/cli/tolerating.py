@@ -37,8 +37,8 @@ def run(options: argparse.Namespace) -> int:
     given = arguments.given(Tolerances.options, options)
     Tolerances(**given)
     held = None if options.held is None else values.whole_numbers("--held", options.held)
-    loaded = reporting.load(options)
-    landed = api.tolerances(loaded.mesh, unit=loaded.unit, held=held, **given)
+    read = reporting.read_net(options)
+    landed = api.tolerances(read.mesh, unit=read.unit, held=held, **given)
     if options.output is not None:
         text = json.dumps({"file": options.input, **landed.report()}, indent=2)
         past_stopping()

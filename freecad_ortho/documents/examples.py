@@ -16,7 +16,7 @@ from freecad_ortho.objects import net as net_object
 from freecad_ortho.packages import HOME
 from solver import QuadMesh
 from solver.errors import InputError
-from solver.formfinding import CableNet, Loads, Membrane, find_form, supported
+from solver.formfinding import CableNet, Membrane, VertexLoads, find_form, supported
 from solver.mesh.coarsen import compact
 from solver.mesh.diagonal import diagonal_meshes
 from solver.mesh.grid import grid_mesh
@@ -130,7 +130,7 @@ def _dome(document: FreeCAD.Document) -> None:
     flat = rectangle(17, 15, length=16.0 * _METRE, width=14.0 * _METRE)
     held = supported(flat, "boundary")
     # A net that hangs under its weight, upside down.
-    dome = find_form(flat, held, CableNet(), Loads(vertex=(0.0, 0.0, 110.0))).mesh
+    dome = find_form(flat, held, CableNet(), VertexLoads(vertex=(0.0, 0.0, 110.0))).mesh
     net = net_object.create(document, dome, "Net")
     optimise_net(net, net="principal")
     add_panels(net, thickness=20.0)

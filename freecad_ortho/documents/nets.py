@@ -70,27 +70,27 @@ def import_net(
     """
     if origin not in ("keep", "local"):
         raise InputError(f"origin: expected keep or local, got {origin!r}")
-    loaded = read_mesh(path, unit, up, mixed=True)
-    if (loaded.mesh.connectivity.face_sizes == 3).all():
+    read = read_mesh(path, unit, up, mixed=True)
+    if (read.mesh.connectivity.face_sizes == 3).all():
         # Refused with what to do: hardly ever are they meant as they are.
-        loaded = read_mesh(path, unit, up)
-    scale = millimetres_per(loaded.unit)
+        read = read_mesh(path, unit, up)
+    scale = millimetres_per(read.unit)
     target = document_or_new(document, Path(path).stem)
     with transaction(target, FreeCAD.Qt.translate("Ortho", "Import quad mesh")):
         taken = LocalOrigin(np.zeros(3))
         if origin == "local":
-            taken = places.document_origin(target, loaded.mesh, scale)
-        mesh = taken.near_mesh(loaded.mesh).scaled(scale)
+            taken = places.document_origin(target, read.mesh, scale)
+        mesh = taken.near_mesh(read.mesh).scaled(scale)
         net = net_object.create(target, mesh, Path(path).stem)
         net.Origin = convert.vectors(taken.scaled(scale).shift[None])[0]
-        convert.store_border(net, [scale * taken.near(line) for line in loaded.border])
-        net.Unit = loaded.unit
+        convert.store_border(net, [scale * taken.near(line) for line in read.border])
+        net.Unit = read.unit
         if mesh.connectivity.mixed:
             # The only one that takes such faces.
             net.NetType = "planar"
         net.SourceFile = os.fspath(path)
         target.recompute()
-    for remark in loaded.remarks:
+    for remark in read.remarks:
         FreeCAD.Console.PrintWarning(f"{net.Label}: {remark}\n")
     if taken.far:
         FreeCAD.Console.PrintMessage(

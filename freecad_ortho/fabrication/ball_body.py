@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 # Sides of the prism that panels keep clear of, and of the polyhedron that holds a ball.
 SIDES = 12
-_LAYERS = np.radians([-60.0, -30.0, 0.0, 30.0, 60.0])
+_LATITUDES = np.radians([-60.0, -30.0, 0.0, 30.0, 60.0])
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,7 +79,7 @@ class Ball(Body):
         turns = 2 * np.pi * np.arange(SIDES) / SIDES
         around = [
             [np.cos(lift) * np.cos(turn), np.cos(lift) * np.sin(turn), np.sin(lift)]
-            for lift in _LAYERS
+            for lift in _LATITUDES
             for turn in turns
         ]
         free = np.array([*around, [0, 0, 1.0], [0, 0, -1.0]])

@@ -38,7 +38,7 @@ PANE, INTERLAYER, CAVITY = "pane", "interlayer", "cavity"
 
 
 @dataclass(frozen=True)
-class Layer:
+class MaterialLayer:
     """One layer of a build-up.
 
     Attributes:
@@ -61,17 +61,17 @@ class Layer:
         return self.thickness * self.density / 1000
 
 
-def pane(thickness: float, of: str = "glass") -> Layer:
+def pane(thickness: float, of: str = "glass") -> MaterialLayer:
     """A pane of glass."""
-    return Layer(PANE, of, thickness, GLASS_DENSITY)
+    return MaterialLayer(PANE, of, thickness, GLASS_DENSITY)
 
 
-def cavity(thickness: float, gas: str = "") -> Layer:
+def cavity(thickness: float, gas: str = "") -> MaterialLayer:
     """The space between two panes."""
-    return Layer(CAVITY, _GASES[gas], thickness, 0.0)
+    return MaterialLayer(CAVITY, _GASES[gas], thickness, 0.0)
 
 
-def layers_of(text: str, glass: str = "glass") -> tuple[Layer, ...]:
+def layers_of(text: str, glass: str = "glass") -> tuple[MaterialLayer, ...]:
     """Read a build-up, from the outermost layer to the innermost.
 
     Panes, laminated or not, and the cavities between them are separated by ``/``. The plies and
@@ -87,7 +87,7 @@ def layers_of(text: str, glass: str = "glass") -> tuple[Layer, ...]:
     Raises:
         InputError: what is no build-up.
     """
-    found: list[Layer] = []
+    found: list[MaterialLayer] = []
     for number, item in enumerate(text.split("/")):
         found += _cavity(item, text) if number % 2 else _laminate(item, text, glass)
     if text.count("/") % 2:
@@ -97,22 +97,22 @@ def layers_of(text: str, glass: str = "glass") -> tuple[Layer, ...]:
     return _reaching(found)
 
 
-def density_of(layers: Sequence[Layer]) -> float:
+def density_of(layers: Sequence[MaterialLayer]) -> float:
     """Mass by the whole volume of layers of one size, kg/m3."""
     return sum(layer.thickness * layer.density for layer in layers) / thickness_of(layers)
 
 
-def thickness_of(layers: Sequence[Layer]) -> float:
+def thickness_of(layers: Sequence[MaterialLayer]) -> float:
     """Of all layers, mm."""
     return sum(layer.thickness for layer in layers)
 
 
-def panes_of(layers: Sequence[Layer]) -> tuple[Layer, ...]:
+def panes_of(layers: Sequence[MaterialLayer]) -> tuple[MaterialLayer, ...]:
     """The panes among layers."""
     return tuple(layer for layer in layers if layer.kind == PANE)
 
 
-def _laminate(item: str, text: str, glass: str) -> list[Layer]:
+def _laminate(item: str, text: str, glass: str) -> list[MaterialLayer]:
     """The plies of one pane, with what is between them."""
     short = _SHORT.fullmatch(item)
     if short is not None:
@@ -120,7 +120,7 @@ def _laminate(item: str, text: str, glass: str) -> list[Layer]:
         if films == "0":
             raise _wrong(text, f"has no film in {item}")
         item = f"{one}{word}{step or ''}+{int(films) * _FILM:g}+{other}{word}{step or ''}"
-    plies: list[Layer] = []
+    plies: list[MaterialLayer] = []
     for number, ply in enumerate(item.split("+")):
         plies.append(_interlayer(ply, text) if number % 2 else _pane(ply, text, glass))
     if item.count("+") % 2:
@@ -128,7 +128,7 @@ def _laminate(item: str, text: str, glass: str) -> list[Layer]:
     return plies
 
 
-def _pane(item: str, text: str, glass: str) -> Layer:
+def _pane(item: str, text: str, glass: str) -> MaterialLayer:
     thickness, word, step = _read(item, text, ("", *_PANES))
     if not _THINNEST <= thickness <= _THICKEST:
         raise _wrong(
@@ -138,12 +138,12 @@ def _pane(item: str, text: str, glass: str) -> Layer:
     return replace(pane(thickness, _PANES.get(word, glass)), step=step)
 
 
-def _interlayer(item: str, text: str) -> Layer:
+def _interlayer(item: str, text: str) -> MaterialLayer:
     thickness, word, _ = _read(item, text, tuple(_INTERLAYERS), steps=False)
-    return Layer(INTERLAYER, _INTERLAYERS[word][0], thickness, _INTERLAYERS[word][1])
+    return MaterialLayer(INTERLAYER, _INTERLAYERS[word][0], thickness, _INTERLAYERS[word][1])
 
 
-def _cavity(item: str, text: str) -> list[Layer]:
+def _cavity(item: str, text: str) -> list[MaterialLayer]:
     thickness, word, _ = _read(item, text, tuple(_GASES), steps=False)
     return [cavity(thickness, word)]
 
@@ -165,7 +165,7 @@ def _read(
     return thickness, word, float(step or 0.0)
 
 
-def _reaching(layers: Sequence[Layer]) -> tuple[Layer, ...]:
+def _reaching(layers: Sequence[MaterialLayer]) -> tuple[MaterialLayer, ...]:
     """The layers, what lies between two panes as large as the smaller of both."""
     made = list(layers)
     for number in range(1, len(made), 2):

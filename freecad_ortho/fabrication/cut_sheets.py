@@ -130,7 +130,7 @@ class _Folder:
         points = np.pad(cells.points[numbers], ((0, 0), (0, 1)))
         uv = sheet.rays.feet(points, np.full(len(points), cell.face))[:, :2]
         uv = np.where(np.abs(uv - np.round(uv)) <= 1e-9, np.round(uv), uv)
-        corners = sheet.layers[:, sheet.faces[cell.face]]
+        corners = sheet.sides[:, sheet.faces[cell.face]]
         both = np.stack([bilinear(layer, uv) for layer in corners])
         if sheet.plane[cell.face]:
             both = _upright(both, corners)
@@ -139,7 +139,7 @@ class _Folder:
             own = self._number[number]
             if number in cells.sides:
                 low, high, place = cells.sides[number][0]
-                ends = sheet.layers[:, [low, high]]
+                ends = sheet.sides[:, [low, high]]
                 self._layers[:, own] = (1 - place) * ends[:, 0] + place * ends[:, 1]
             else:
                 self._layers[:, own] = both[:, row]
@@ -158,7 +158,7 @@ class _Folder:
             self._sheets += [Sheet(upper), Sheet(lower)]
         else:
             self._add_surfaces(cell, upper, lower)
-        corners = sheet.layers[:, sheet.faces[cell.face]]
+        corners = sheet.sides[:, sheet.faces[cell.face]]
         if whole or not sheet.plane[cell.face]:
             self._blocks.append(corners.reshape(-1, 3))
             return
@@ -170,7 +170,7 @@ class _Folder:
 
     def _add_surfaces(self, cell: Cell, upper: tuple[Side, ...], lower: tuple[Side, ...]) -> None:
         """Cut both surfaces of a face that is not plane along the curves around a cell."""
-        corners = self._sheet.layers[:, self._sheet.faces[cell.face]]
+        corners = self._sheet.sides[:, self._sheet.faces[cell.face]]
         below, above = corners[:, [[0, 1], [3, 2]]]
         places = [
             [self._curve(cell.face, *step) for step in steps_around(loop)] for loop in cell.loops
@@ -190,7 +190,7 @@ class _Folder:
         places = blend(_CUBIC, np.linspace(0.0, 1.0, _IMAGE)) @ curve
         low, high = self._number[start], self._number[end]
         for layer, shift in ((0, 0), (1, self._count)):
-            image = bilinear(self._sheet.layers[layer, self._sheet.faces[face]], places)
+            image = bilinear(self._sheet.sides[layer, self._sheet.faces[face]], places)
             inner = through(image)[1:-1]
             pair = min(low, high) + shift, max(low, high) + shift
             self._handles[pair] = inner if low < high else inner[::-1]

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 SPACING = 30.0
 # Name and colour, in the order in which a workshop looks at them.
-LAYERS = {"CUT": 7, "HOLE": 5, "AXIS": 4, "BEND": 6, "BEVEL": 2, "ENGRAVE": 1, "LABEL": 3}
+DXF_LAYERS = {"CUT": 7, "HOLE": 5, "AXIS": 4, "BEND": 6, "BEVEL": 2, "ENGRAVE": 1, "LABEL": 3}
 # A stroke font: letters are single lines for a plotter, a laser or an engraver to follow.
 _FONT = "txt.shx"
 _MILLIMETRES = 4
@@ -115,7 +115,7 @@ def _empty_drawing(version: str) -> Drawing:
         drawing.header["$MEASUREMENT"] = 1
     drawing.linetypes.add(FAR_SIDE, pattern=[6.0, 4.0, -2.0], description="on the far side")
     drawing.styles.add(STYLE, font=_FONT)
-    for name, colour in LAYERS.items():
+    for name, colour in DXF_LAYERS.items():
         drawing.layers.add(name, color=colour)
     return drawing
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from freecad_ortho.fabrication.build_up import (
     GLASS_DENSITY,
     STRENGTHS,
-    Layer,
+    MaterialLayer,
     cavity,
     density_of,
     layers_of,
@@ -65,7 +65,7 @@ class Material:
     youngs_modulus: float
     bending_limit: float
     bearing: float
-    layers: tuple[Layer, ...] = ()
+    layers: tuple[MaterialLayer, ...] = ()
     poisson: float = 0.3
     own_shear_modulus: float | None = None
     plate_limits: PlateLimits | None = None
@@ -154,7 +154,7 @@ def _timber(name: str, density: float, modulus: float, strength: float, shear: f
     return Material(*sizes, own_shear_modulus=shear, clearance=_IN_TIMBER)
 
 
-def build_up(name: str, layers: Sequence[Layer]) -> Material:
+def build_up(name: str, layers: Sequence[MaterialLayer]) -> Material:
     """Glass in layers: as heavy as they are by its whole volume, as strong as the weakest pane.
 
     Panes bend each by itself: interlayers creep under what lasts, and shear is not counted on.

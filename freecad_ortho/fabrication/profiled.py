@@ -60,13 +60,13 @@ class ProfiledBody(Body):
 
     @cached_property
     def points(self) -> FloatArray:
-        """(2 M, 3) nodes of the outlines at the beginning, then at the end."""
-        nodes = self.halves.nodes
-        return np.concatenate([self.raised(nodes, end) for end in (self.first, self.last)])
+        """(2 M, 3) corners of the outlines at the beginning, then at the end."""
+        corners = self.halves.corners
+        return np.concatenate([self.raised(corners, end) for end in (self.first, self.last)])
 
-    def raised(self, nodes: FloatArray, end: End) -> FloatArray:
+    def raised(self, corners: FloatArray, end: End) -> FloatArray:
         """(n, 3) points of the section (n, 2) in the planes of an end."""
-        return np.column_stack([end.at(nodes), nodes[:, 1], nodes[:, 0]])
+        return np.column_stack([end.at(corners), corners[:, 1], corners[:, 0]])
 
     @cached_property
     def volume(self) -> float:
@@ -159,9 +159,9 @@ def _in_a_row(loop: Loop, chosen: Sequence[bool]) -> Loop:
 def _straightened(halves: Halves, loop: Loop, half: int) -> FloatArray:
     """(n, 2) a polygon around a piece of a half, with chords or tangents in place of its arcs."""
     points = []
-    for node, following in zip(loop, (*loop[1:], loop[0]), strict=True):
-        is_side = halves.side_of[node] == half and halves.ends[node, 1] == following
-        points.append(_around(halves.sides[node]) if is_side else halves.nodes[[node]])
+    for corner, following in zip(loop, (*loop[1:], loop[0]), strict=True):
+        is_side = halves.side_of[corner] == half and halves.ends[corner, 1] == following
+        points.append(_around(halves.sides[corner]) if is_side else halves.corners[[corner]])
     return np.concatenate(points)
 
 

@@ -24,7 +24,7 @@ def profiled_solid(halves: Halves, points: FloatArray, ends: tuple[End, End]) ->
 
     Args:
         halves: its section.
-        points: (2 M, 3) nodes of the section at its beginning, then at its end, mm.
+        points: (2 M, 3) corners of the section at its beginning, then at its end, mm.
         ends: the planes that cut it there.
     """
     return solid_within(_Making(halves, points, ends).faces())
@@ -38,7 +38,7 @@ class _Making:
         from OCP.gp import gp_Pnt
 
         self._halves, self._points, self._ends = halves, points, ends
-        self._count = len(halves.nodes)
+        self._count = len(halves.corners)
         self._vertices = [
             BRepBuilderAPI_MakeVertex(gp_Pnt(*row)).Vertex() for row in points.tolist()
         ]
@@ -73,14 +73,14 @@ class _Making:
             wires.append(_wire(edges))
         return _flat(start.tolist(), outward.tolist(), wires)
 
-    def _across(self, node: int, following: int, end: int, half: int) -> Any:
-        """The edge at an end from a node to the next one, of a side or along the upright."""
+    def _across(self, corner: int, following: int, end: int, half: int) -> Any:
+        """The edge at an end from a corner to the next one, of a side or along the upright."""
         halves = self._halves
-        if int(halves.ends[node, 1]) == following and half in (0, int(halves.side_of[node])):
-            return self._rim(node, end)
-        low, high = sorted((node, following))
+        if int(halves.ends[corner, 1]) == following and half in (0, int(halves.side_of[corner])):
+            return self._rim(corner, end)
+        low, high = sorted((corner, following))
         edge = self._straight(low + end * self._count, high + end * self._count)
-        return edge if node == low else edge.Reversed()
+        return edge if corner == low else edge.Reversed()
 
     def _side(self, number: int) -> Any:
         """The face of a side: round the corners from the beginning to the end and back."""

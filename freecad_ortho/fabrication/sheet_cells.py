@@ -39,12 +39,12 @@ class BentSheet:
 
     Attributes:
         flat: (V, 2) vertices in the pattern, in which no two faces overlap.
-        layers: (2, V, 3) the same on the lower and the upper side, mm.
+        sides: (2, V, 3) the same on the lower and the upper side, mm.
         faces: (F, 4) counter-clockwise, seen from the upper side and in the pattern.
     """
 
     flat: FloatArray
-    layers: FloatArray
+    sides: FloatArray
     faces: IntArray
 
     @cached_property
@@ -56,7 +56,7 @@ class BentSheet:
     @cached_property
     def plane(self) -> IntArray:
         """(F,) 1 for faces that are plane on both sides, 0 for others."""
-        corners = self.layers[:, self.faces]
+        corners = self.sides[:, self.faces]
         normals = np.cross(
             corners[..., 2, :] - corners[..., 0, :], corners[..., 3, :] - corners[..., 1, :]
         )

@@ -13,9 +13,9 @@ from solver.errors import InputError
 from solver.formfinding import (
     CableNet,
     FormFound,
-    Loads,
     Membrane,
     Tension,
+    VertexLoads,
     family_densities,
     find_form,
     supported,
@@ -76,7 +76,7 @@ def found(
         if lift.strip():
             mesh = find_form(mesh, held, tension).mesh
         tension = Membrane(stress, border_force)
-    loads = Loads(vertex_load, area_load, edge_load, pressure)
+    loads = VertexLoads(vertex_load, area_load, edge_load, pressure)
     form = find_form(mesh, held, tension, loads, tolerance=tolerance, max_iterations=max_iterations)
     return form, [] if side is None else [side]
 

@@ -11,7 +11,7 @@ from pivy import coin
 
 from freecad_ortho import convert
 from freecad_ortho.structural.diagrams import FORCES, UNITS, Diagram, across, fitting, strips
-from freecad_ortho.view import check_combination, nodes
+from freecad_ortho.view import check_combination, scene
 from freecad_ortho.view.colours import palette
 from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.quadmesh import FloatArray, unit_rows
@@ -83,8 +83,8 @@ class DiagramAreas:
     def __init__(self) -> None:
         self.root = coin.SoSeparator()
         self._stand, self._labels = coin.SoTranslation(), coin.SoAnnotation()
-        for node in (self._stand, nodes.unpickable(), nodes.unlit()):
-            self.root.addChild(node)
+        for child in (self._stand, scene.unpickable(), scene.unlit()):
+            self.root.addChild(child)
         self._signs = [_Sign(colour) for colour in (_POSITIVE, _NEGATIVE)]
         for sign in self._signs:
             self.root.addChild(sign.root)
@@ -128,8 +128,8 @@ class _Sign:
         for material in (clear, solid):
             material.diffuseColor = tuple(colour.tolist())
         clear.transparency, thin.lineWidth = _TRANSPARENT, 1.0
-        for node in (self._points, clear, self._faces, solid, thin, self._lines):
-            self.root.addChild(node)
+        for child in (self._points, clear, self._faces, solid, thin, self._lines):
+            self.root.addChild(child)
 
     def hide(self) -> None:
         """Draw nothing."""
@@ -140,8 +140,8 @@ class _Sign:
         """Draw what is there between (M, K, 3) points."""
         self.hide()
         members, sections = there.shape
-        nodes.set_points(self._points, np.concatenate([base, tips]).reshape(-1, 3))
+        scene.set_points(self._points, np.concatenate([base, tips]).reshape(-1, 3))
         corners = strips(members, sections)[(there[:, 1:] | there[:, :-1]).ravel()]
         if len(corners):
-            nodes.set_indices(self._faces, corners)
-            nodes.set_indices(self._lines, corners[:, [3, 2]])
+            scene.set_indices(self._faces, corners)
+            scene.set_indices(self._lines, corners[:, [3, 2]])

@@ -11,7 +11,7 @@ from PySide import QtGui
 from freecad_ortho import answers
 from freecad_ortho.objects.properties import Property, Stateless, ensure
 from freecad_ortho.resources import icon
-from freecad_ortho.view import legends, nodes, refresh
+from freecad_ortho.view import legends, refresh, scene
 from freecad_ortho.view.check_combination import COMBINATIONS_FROM, GOVERNING, choices
 from freecad_ortho.view.check_diagram import (
     DIAGRAMS,
@@ -133,8 +133,8 @@ class CheckView(Stateless):
         self._swinging = Swinging(self._lines, view_object.Object)
         self._explanation: Drawn | None = None
         group = coin.SoSeparator()
-        for node in (nodes.nearer(), self._lines.root, self._diagram.root, self._legend.root):
-            group.addChild(node)
+        for child in (scene.nearer(), self._lines.root, self._diagram.root, self._legend.root):
+            group.addChild(child)
         view_object.addDisplayMode(group, _LINES)
         self._draw()
 

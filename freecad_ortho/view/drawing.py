@@ -9,7 +9,7 @@ import FreeCAD
 import numpy as np
 from pivy import coin
 
-from freecad_ortho.view import nodes
+from freecad_ortho.view import scene
 from freecad_ortho.view.screen import Screen, mouse_of
 from solver.mesh.quadmesh import FloatArray
 
@@ -53,7 +53,7 @@ class Drawing:
         self._changed, self._ended = changed, ended
         self._held: int | None = None
         self._scene = view.getSceneGraph()
-        self._build_nodes(stands or FreeCAD.Placement())
+        self._build_scene(stands or FreeCAD.Placement())
         self._scene.insertChild(self.root, 0)
 
     def set_points(self, points: FloatArray) -> None:
@@ -69,7 +69,7 @@ class Drawing:
                 self._events.removeEventCallback(kind, callback)
             self._scene.removeChild(self.root)
 
-    def _build_nodes(self, stands: FreeCAD.Placement) -> None:
+    def _build_scene(self, stands: FreeCAD.Placement) -> None:
         self.root = coin.SoSeparator()
         self._events = coin.SoEventCallback()
         self._coordinates, self._markers = coin.SoCoordinate3(), coin.SoMarkerSet()
@@ -83,32 +83,32 @@ class Drawing:
         whole = coin.SoMaterialBinding()
         whole.value = coin.SoMaterialBinding.OVERALL
         each.value = coin.SoMaterialBinding.PER_VERTEX
-        for node in (
-            nodes.standing(stands), self._events, nodes.unpickable(), nodes.unlit(), on_top, style,
+        for child in (
+            scene.standing(stands), self._events, scene.unpickable(), scene.unlit(), on_top, style,
             self._coordinates,
             line_colour, whole, self._line, self._colours, each, self._markers,
         ):  # fmt: skip
-            self.root.addChild(node)
-        self._callbacks = nodes.heard(self._events, self._pressed, self._moved, self._typed)
+            self.root.addChild(child)
+        self._callbacks = scene.heard(self._events, self._pressed, self._moved, self._typed)
 
-    def _pressed(self, _: Any, node: Any) -> None:
-        event = node.getEvent()
+    def _pressed(self, _: Any, callback: Any) -> None:
+        event = callback.getEvent()
         down = event.getState() == coin.SoButtonEvent.DOWN
         if event.getButton() == coin.SoMouseButtonEvent.BUTTON1:
             if down:
-                self._take_or_add(node)
+                self._take_or_add(callback)
             elif self._held is not None:
                 self._held = None
                 self._show()
-                node.setHandled()
+                callback.setHandled()
         elif event.getButton() == coin.SoMouseButtonEvent.BUTTON2 and down and self.adding:
             self._stop_adding()
-            node.setHandled()
+            callback.setHandled()
 
-    def _take_or_add(self, node: Any) -> None:
-        near = Screen.of_event(node).vertex_at(mouse_of(node), self.points, _NEAR)
+    def _take_or_add(self, callback: Any) -> None:
+        near = Screen.of_event(callback).vertex_at(mouse_of(callback), self.points, _NEAR)
         if near is None and self.adding:
-            place = self._aimed_at(node)
+            place = self._aimed_at(callback)
             if place is None:
                 return
             self.points = np.concatenate([self.points, [place]])
@@ -118,31 +118,31 @@ class Drawing:
         self._held = near
         if near is not None:
             self._show()
-            node.setHandled()
+            callback.setHandled()
 
-    def _moved(self, _: Any, node: Any) -> None:
+    def _moved(self, _: Any, callback: Any) -> None:
         if self._held is None:
             return
-        place = self._aimed_at(node)
+        place = self._aimed_at(callback)
         if place is not None:
             self.points = self.points.copy()
             self.points[self._held] = place
             self._tell()
-        node.setHandled()
+        callback.setHandled()
 
-    def _typed(self, _: Any, node: Any) -> None:
-        event = node.getEvent()
+    def _typed(self, _: Any, callback: Any) -> None:
+        event = callback.getEvent()
         if event.getState() != coin.SoButtonEvent.DOWN:
             return
         if event.getKey() == coin.SoKeyboardEvent.ESCAPE and self.adding:
             self._stop_adding()
-            node.setHandled()
+            callback.setHandled()
         elif event.getKey() in (coin.SoKeyboardEvent.BACKSPACE, coin.SoKeyboardEvent.KEY_DELETE):
             if len(self.points):
                 self._held = None
                 self.points = self.points[:-1]
                 self._tell()
-            node.setHandled()
+            callback.setHandled()
 
     def _stop_adding(self) -> None:
         self.adding = False
@@ -164,7 +164,7 @@ class Drawing:
         self._colours.diffuseColor.deleteValues(0)
         self._colours.diffuseColor.setValues(0, count, shades)
 
-    def _aimed_at(self, node: Any) -> FloatArray | None:
+    def _aimed_at(self, callback: Any) -> FloatArray | None:
         """What the mouse points at at an event."""
-        ray = Screen.of_event(node).ray(mouse_of(node))
+        ray = Screen.of_event(callback).ray(mouse_of(callback))
         return self.pick(ray.origin, ray.direction)

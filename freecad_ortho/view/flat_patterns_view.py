@@ -84,8 +84,8 @@ class FlatPatternsView(Stateless):
             colour.rgb = (0.75, 0.22, 0.10)
             plain = coin.SoLightModel()
             plain.model = coin.SoLightModel.BASE_COLOR
-            for node in (colour, plain):
-                self._names.addChild(node)
+            for child in (colour, plain):
+                self._names.addChild(child)
             # The parts come first in the shape, then the sheets.
             parts = flat_shape(feature).SubShapes[: len(feature.PartNames)]
             for name, place, part in zip(
@@ -97,7 +97,7 @@ class FlatPatternsView(Stateless):
 
 def _text(words: str, place: FreeCAD.Vector, box: FreeCAD.BoundBox) -> coin.SoSeparator:
     """A name as large as its part has room for: names of a fixed size would cover each other."""
-    node = coin.SoSeparator()
+    made = coin.SoSeparator()
     font = coin.SoFont()
     font.name = "Sans"
     font.size = max(min(0.4 * box.YLength, 1.2 * box.XLength / len(words)), 1e-3)
@@ -107,5 +107,5 @@ def _text(words: str, place: FreeCAD.Vector, box: FreeCAD.BoundBox) -> coin.SoSe
     text.string = words
     text.justification = coin.SoAsciiText.CENTER
     for child in (font, shift, text):
-        node.addChild(child)
-    return node
+        made.addChild(child)
+    return made

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from pivy import coin
 
-from freecad_ortho.view import nodes
+from freecad_ortho.view import scene
 from freecad_ortho.view.check_shapes import Drawn
 from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.quadmesh import FloatArray
@@ -33,12 +33,12 @@ class FrameLines:
         binding.value = coin.SoMaterialBinding.PER_FACE
         colour.rgb, thin.lineWidth = _GREY, _THIN
         ghost = coin.SoSeparator()
-        for node in (nodes.unpickable(), colour, thin, self._ghost_points, self._ghost):
-            ghost.addChild(node)
+        for child in (scene.unpickable(), colour, thin, self._ghost_points, self._ghost):
+            ghost.addChild(child)
         self._start.addChild(ghost)
         own = (self._material, binding, self._style, self._points, self._lines)
-        for node in (self._stand, nodes.unlit(), self._start, *own):
-            self.root.addChild(node)
+        for child in (self._stand, scene.unlit(), self._start, *own):
+            self.root.addChild(child)
 
     def show(self, drawn: Drawn | None, width: float) -> None:
         """Draw a frame, or nothing.
@@ -61,14 +61,14 @@ class FrameLines:
         self._material.diffuseColor.deleteValues(len(drawn.colours))
         self._material.diffuseColor.setValues(0, len(drawn.colours), drawn.colours)
         self.sway(1.0)
-        nodes.set_indices(self._lines, drawn.lines)
+        scene.set_indices(self._lines, drawn.lines)
         if drawn.moved is not None:
-            nodes.set_points(self._ghost_points, self._near)
-            nodes.set_indices(self._ghost, drawn.lines)
+            scene.set_points(self._ghost_points, self._near)
+            scene.set_indices(self._ghost, drawn.lines)
             self._start.whichChild = coin.SO_SWITCH_ALL
 
     def sway(self, part: float) -> None:
         """Draw a part of the way that nodes move, from -1 to 1."""
-        nodes.set_points(
+        scene.set_points(
             self._points, self._near if self._moved is None else self._near + part * self._moved
         )

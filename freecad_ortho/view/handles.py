@@ -8,7 +8,7 @@ import FreeCADGui
 import numpy as np
 from pivy import coin
 
-from freecad_ortho.view import nodes
+from freecad_ortho.view import scene
 from solver.mesh.quadmesh import FloatArray
 
 _SIZE = 9
@@ -33,10 +33,10 @@ class Handles:
         binding = coin.SoMaterialBinding()
         binding.value = coin.SoMaterialBinding.PER_VERTEX
         self._line_points, self._lines = coin.SoCoordinate3(), coin.SoLineSet()
-        for node in (nodes.unpickable(), nodes.unlit(), self._pulls(), self._frame()):
-            self.root.addChild(node)
-        for node in (self._colours, binding, self._marker_points, self._markers):
-            self.root.addChild(node)
+        for child in (scene.unpickable(), scene.unlit(), self._pulls(), self._frame()):
+            self.root.addChild(child)
+        for child in (self._colours, binding, self._marker_points, self._markers):
+            self.root.addChild(child)
 
     def show(self, points: FloatArray, kinds: Sequence[int]) -> None:
         """Put a marker at each of the (N, 3) points, coloured by its kind."""
@@ -76,8 +76,8 @@ class Handles:
         style.lineWidth = 2.0
         self._lines.numVertices.deleteValues(0)
         separator = coin.SoSeparator()
-        for node in (colour, style, self._line_points, self._lines):
-            separator.addChild(node)
+        for child in (colour, style, self._line_points, self._lines):
+            separator.addChild(child)
         return separator
 
     def _frame(self) -> coin.SoSwitch:
@@ -85,10 +85,10 @@ class Handles:
         colour = coin.SoBaseColor()
         colour.rgb = (0.2, 0.45, 0.85)
         separator = coin.SoSeparator()
-        start = (coin.SoResetTransform(), nodes.window_camera(), colour)
-        for node in (*start, self._frame_points, coin.SoLineSet()):
-            separator.addChild(node)
-        skip = nodes.left_out_of_fitting()
+        start = (coin.SoResetTransform(), scene.window_camera(), colour)
+        for child in (*start, self._frame_points, coin.SoLineSet()):
+            separator.addChild(child)
+        skip = scene.left_out_of_fitting()
         skip.addChild(separator)
         self._frame_switch.addChild(skip)
         self.hide_frame()

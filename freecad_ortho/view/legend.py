@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from pivy import coin
 
-from freecad_ortho.view import nodes
+from freecad_ortho.view import scene
 from freecad_ortho.view.colour_scale import ColourScale
 from freecad_ortho.view.colours import palette
 
@@ -24,13 +24,13 @@ class Legend:
 
     def __init__(self) -> None:
         self.root = coin.SoSwitch()
-        skip = nodes.left_out_of_fitting()
+        skip = scene.left_out_of_fitting()
         self.root.addChild(skip)
         overlay = coin.SoAnnotation()
         skip.addChild(overlay)
-        start = (coin.SoResetTransform(), nodes.unpickable(), nodes.unlit(), nodes.window_camera())
-        for node in (*start, _plate()):
-            overlay.addChild(node)
+        start = (coin.SoResetTransform(), scene.unpickable(), scene.unlit(), scene.window_camera())
+        for child in (*start, _plate()):
+            overlay.addChild(child)
         self._labels = coin.SoSeparator()
         overlay.addChild(self._labels)
         self._note = coin.SoText2()
@@ -93,8 +93,8 @@ def _plate() -> coin.SoSeparator:
     points.point.setValues(0, 4, corners)
     faces = coin.SoFaceSet()
     faces.numVertices = 4
-    for node in (material, points, faces):
-        separator.addChild(node)
+    for child in (material, points, faces):
+        separator.addChild(child)
     return separator
 
 
@@ -114,6 +114,6 @@ def _bar(signed: bool) -> coin.SoSeparator:
     material.diffuseColor.setValues(0, len(shades), shades)
     mesh = coin.SoQuadMesh()
     mesh.verticesPerRow, mesh.verticesPerColumn = 2, _STRIPES
-    for node in (coordinates, binding, material, mesh):
-        separator.addChild(node)
+    for child in (coordinates, binding, material, mesh):
+        separator.addChild(child)
     return separator

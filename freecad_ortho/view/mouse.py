@@ -98,18 +98,18 @@ class Mouse:
         self._separator = None
         self._selecting = []
 
-    def _event(self, _: Any, node: Any) -> None:
-        event = node.getEvent()
+    def _event(self, _: Any, callback: Any) -> None:
+        event = callback.getEvent()
         kind = event.getTypeId()
         if kind.isDerivedFrom(coin.SoKeyboardEvent.getClassTypeId()):
-            self._key_event(node, event)
+            self._key_event(callback, event)
             return
         moved = kind.isDerivedFrom(coin.SoLocation2Event.getClassTypeId())
         button = kind.isDerivedFrom(coin.SoMouseButtonEvent.getClassTypeId())
         if not moved and not (button and event.getButton() == coin.SoMouseButtonEvent.BUTTON1):
             return
-        screen = Screen.of_event(node)
-        pixel = mouse_of(node)
+        screen = Screen.of_event(callback)
+        pixel = mouse_of(callback)
         if moved:
             handled = self._moved(screen, pixel)
         elif event.getState() == coin.SoButtonEvent.DOWN:
@@ -117,7 +117,7 @@ class Mouse:
         else:
             handled = self._up(screen, pixel, event.wasCtrlDown())
         if handled:
-            node.setHandled()
+            callback.setHandled()
 
     def _down(self, screen: Screen, pixel: FloatArray, shift: bool) -> bool:
         self._start = pixel
@@ -169,17 +169,17 @@ class Mouse:
             self._hovered = vertex
             self._listener.hover(vertex)
 
-    def _key_event(self, node: Any, event: Any) -> None:
+    def _key_event(self, callback: Any, event: Any) -> None:
         if event.getState() != coin.SoButtonEvent.DOWN:
             return
         if event.getKey() == coin.SoKeyboardEvent.ESCAPE:
             if self._dragging:
                 self.release()
                 self._listener.cancel()
-                node.setHandled()
+                callback.setHandled()
         elif event.getKey() in _KEYS and not event.wasCtrlDown():
             self._listener.key(_KEYS[event.getKey()])
-            node.setHandled()
+            callback.setHandled()
 
 
 def _selection_off(document: str) -> list[tuple[Any, str]]:

@@ -14,7 +14,7 @@ from freecad_ortho.objects.constraints import reference_surface
 from freecad_ortho.objects.net import colour_field
 from freecad_ortho.objects.properties import Stateless, ensure
 from freecad_ortho.resources import icon
-from freecad_ortho.view import legends, nodes
+from freecad_ortho.view import legends, scene
 from freecad_ortho.view.colour_map import Painting, Range, is_quick, painting, plain
 from freecad_ortho.view.legend import Legend
 from freecad_ortho.view.net_properties import PROPERTIES
@@ -65,7 +65,7 @@ class NetView(Stateless):
         self.Object = view_object.Object
         self._mesh: QuadMesh | None = None
         self._explanation: Painting | None = None
-        self._build_nodes()
+        self._build_scene()
         view_object.addDisplayMode(self._mode(self._faces, self._edges), _FLAT_LINES)
         view_object.addDisplayMode(self._mode(self._faces), _SHADED)
         view_object.addDisplayMode(self._mode(self._edges), _WIREFRAME)
@@ -154,11 +154,11 @@ class NetView(Stateless):
             self._coordinates.point.deleteValues(0)
             self._coordinates.point.setValues(0, len(mesh.vertices), self._mesh.vertices)
             net = mesh.connectivity
-            nodes.set_polygons(self._face_set, net.half_edges[:, 0], net.face_sizes)
+            scene.set_polygons(self._face_set, net.half_edges[:, 0], net.face_sizes)
             # Larger faces may have recesses.
             kind = coin.SoShapeHints.UNKNOWN_FACE_TYPE if net.mixed else coin.SoShapeHints.CONVEX
             self._hints.faceType = kind
-            nodes.set_indices(self._line_set, mesh.connectivity.edges)
+            scene.set_indices(self._line_set, mesh.connectivity.edges)
         self._colour()
         self._draw_overlays()
 
@@ -177,7 +177,7 @@ class NetView(Stateless):
         same = sizes == convert.sizes_of(self.Object)
         return same and net.half_edges[:, 0].tolist() == self.Object.Faces
 
-    def _build_nodes(self) -> None:
+    def _build_scene(self) -> None:
         # Coin's coordinates have seven digits: far from the origin they lie about a point nearby.
         self._stand = coin.SoTranslation()
         self._coordinates = coin.SoCoordinate3()
@@ -196,19 +196,19 @@ class NetView(Stateless):
         hints.creaseAngle = 0.0
         push_back = coin.SoPolygonOffset()
         # Light from the camera would darken the colours that the scale explains.
-        unlit = nodes.unlit()
+        unlit = scene.unlit()
         self._faces = coin.SoSeparator()
         colours = (self._material, self._face_binding)
-        for node in (unlit, hints, *colours, self._reflection.root, push_back, self._face_set):
-            self._faces.addChild(node)
+        for child in (unlit, hints, *colours, self._reflection.root, push_back, self._face_set):
+            self._faces.addChild(child)
         self._edges = coin.SoSeparator()
         colours = (self._line_colour, self._line_binding)
-        for node in (unlit, *colours, self._line_style, self._line_set):
-            self._edges.addChild(node)
+        for child in (unlit, *colours, self._line_style, self._line_set):
+            self._edges.addChild(child)
 
     def _mode(self, *shapes: Any) -> coin.SoSeparator:
         group = coin.SoSeparator()
-        group.addChild(nodes.nearer())
+        group.addChild(scene.nearer())
         group.addChild(self._stand)
         group.addChild(self._coordinates)
         for shape in shapes:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from pivy import coin
 
-from freecad_ortho.view import nodes
+from freecad_ortho.view import scene
 from freecad_ortho.view.overlay_shapes import OVERLAYS, Balls, Lines, Points, Shape
 from solver.mesh.quadmesh import QuadMesh
 
@@ -24,10 +24,10 @@ class Overlays:
 
     def __init__(self) -> None:
         self.root = coin.SoSeparator()
-        self.root.addChild(nodes.unpickable())
-        self._layers = {name: coin.SoSeparator() for name in OVERLAYS}
-        for layer in self._layers.values():
-            self.root.addChild(layer)
+        self.root.addChild(scene.unpickable())
+        self._groups = {name: coin.SoSeparator() for name in OVERLAYS}
+        for group in self._groups.values():
+            self.root.addChild(group)
 
     def show(self, mesh: QuadMesh | None, chosen: Collection[str], moving: bool = False) -> None:
         """Draw the chosen overlays of a mesh and no others.
@@ -40,11 +40,11 @@ class Overlays:
         for name, (shapes, quick) in OVERLAYS.items():
             if moving and not quick:
                 continue
-            layer = self._layers[name]
-            layer.removeAllChildren()
+            group = self._groups[name]
+            group.removeAllChildren()
             if mesh is not None and name in chosen:
                 for shape in shapes(mesh):
-                    layer.addChild(shape_node(shape))
+                    group.addChild(shape_node(shape))
 
 
 def shape_node(shape: Shape) -> coin.SoSeparator:
@@ -55,7 +55,7 @@ def shape_node(shape: Shape) -> coin.SoSeparator:
 
 
 def _lines(shape: Lines) -> coin.SoSeparator:
-    node = _coloured(shape.colour, lit=False)
+    made = _coloured(shape.colour, lit=False)
     style = coin.SoDrawStyle()
     style.lineWidth = shape.width
     lines = coin.SoLineSet()
@@ -67,23 +67,23 @@ def _lines(shape: Lines) -> coin.SoSeparator:
     offset.styles = coin.SoPolygonOffset.LINES
     offset.factor, offset.units = -1.0, -1.0
     for child in (style, offset, _coordinates(shape.ends.reshape(-1, 3)), lines):
-        node.addChild(child)
-    return node
+        made.addChild(child)
+    return made
 
 
 def _points(shape: Points) -> coin.SoSeparator:
-    node = _coloured(shape.colour, lit=False)
+    made = _coloured(shape.colour, lit=False)
     style = coin.SoDrawStyle()
     style.pointSize = shape.size
     points = coin.SoPointSet()
     points.numPoints = len(shape.places)
     for child in (style, _coordinates(shape.places), points):
-        node.addChild(child)
-    return node
+        made.addChild(child)
+    return made
 
 
 def _balls(shape: Balls) -> coin.SoSeparator:
-    node = _coloured(shape.colour, lit=True)
+    made = _coloured(shape.colour, lit=True)
     for centre, radius in zip(shape.centres.tolist(), shape.radii.tolist(), strict=True):
         one = coin.SoSeparator()
         place = coin.SoTranslation()
@@ -92,25 +92,25 @@ def _balls(shape: Balls) -> coin.SoSeparator:
         sphere.radius = radius
         one.addChild(place)
         one.addChild(sphere)
-        node.addChild(one)
-    return node
+        made.addChild(one)
+    return made
 
 
 def _coloured(colour: tuple[float, float, float], lit: bool) -> coin.SoSeparator:
-    node = coin.SoSeparator()
+    made = coin.SoSeparator()
     light = coin.SoLightModel()
     light.model = coin.SoLightModel.PHONG if lit else coin.SoLightModel.BASE_COLOR
     material = coin.SoMaterial()
     material.diffuseColor = tuple(colour)
     material.transparency = _TRANSPARENCY if lit else 0.0
-    node.addChild(light)
-    node.addChild(material)
-    return node
+    made.addChild(light)
+    made.addChild(material)
+    return made
 
 
 def _coordinates(points: Any) -> coin.SoCoordinate3:
-    node = coin.SoCoordinate3()
-    node.point.deleteValues(0)
+    made = coin.SoCoordinate3()
+    made.point.deleteValues(0)
     if len(points):
-        node.point.setValues(0, len(points), points)
-    return node
+        made.point.setValues(0, len(points), points)
+    return made

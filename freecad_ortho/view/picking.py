@@ -8,7 +8,7 @@ from typing import Any
 import FreeCAD
 from pivy import coin
 
-from freecad_ortho.view import nodes
+from freecad_ortho.view import scene
 from freecad_ortho.view.screen import Screen, mouse_of
 from solver.mesh.quadmesh import FloatArray
 
@@ -44,7 +44,7 @@ class Picking:
         self.active = False
         self._points, self._changed = points, changed
         self._scene = view.getSceneGraph()
-        self._build_nodes(stands)
+        self._build_scene(stands)
         self._scene.insertChild(self.root, 0)
 
     def show(self, chosen: set[int], active: bool) -> None:
@@ -79,7 +79,7 @@ class Picking:
             self._events.removeEventCallback(*self._callback)
             self._scene.removeChild(self.root)
 
-    def _build_nodes(self, stands: FreeCAD.Placement) -> None:
+    def _build_scene(self, stands: FreeCAD.Placement) -> None:
         self.root, self._events = coin.SoSeparator(), coin.SoEventCallback()
         self._coordinates, self._colours = coin.SoCoordinate3(), coin.SoMaterial()
         self._markers = coin.SoMarkerSet()
@@ -87,27 +87,27 @@ class Picking:
         on_top, each = coin.SoDepthBuffer(), coin.SoMaterialBinding()
         on_top.function = coin.SoDepthBuffer.ALWAYS
         each.value = coin.SoMaterialBinding.PER_VERTEX
-        for node in (
-            nodes.standing(stands), self._events, nodes.unpickable(), nodes.unlit(), on_top,
+        for child in (
+            scene.standing(stands), self._events, scene.unpickable(), scene.unlit(), on_top,
             self._coordinates,
             self._colours, each, self._markers,
         ):  # fmt: skip
-            self.root.addChild(node)
+            self.root.addChild(child)
         self._numbers, ink, font = coin.SoSeparator(), coin.SoBaseColor(), coin.SoFont()
         ink.rgb = _CHOSEN
         font.name, font.size = "Sans", 14
-        for node in (ink, font, self._numbers):
-            self.root.addChild(node)
+        for child in (ink, font, self._numbers):
+            self.root.addChild(child)
         kind = coin.SoMouseButtonEvent.getClassTypeId()
         self._callback = (kind, self._events.addEventCallback(kind, self._pressed))
 
-    def _pressed(self, _: Any, node: Any) -> None:
-        event = node.getEvent()
+    def _pressed(self, _: Any, callback: Any) -> None:
+        event = callback.getEvent()
         left = event.getButton() == coin.SoMouseButtonEvent.BUTTON1
         if not (self.active and left and event.getState() == coin.SoButtonEvent.DOWN):
             return
-        vertex = Screen.of_event(node).vertex_at(mouse_of(node), self._points, _NEAR)
+        vertex = Screen.of_event(callback).vertex_at(mouse_of(callback), self._points, _NEAR)
         if vertex is not None:
             self.show(self.chosen ^ {vertex}, self.active)
-            node.setHandled()
+            callback.setHandled()
             self._changed()

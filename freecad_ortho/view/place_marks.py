@@ -7,7 +7,7 @@ from typing import Any
 import FreeCAD
 from pivy import coin
 
-from freecad_ortho.view import nodes
+from freecad_ortho.view import scene
 from freecad_ortho.view.handles import CHOSEN, Handles
 from solver.mesh.quadmesh import FloatArray
 
@@ -24,7 +24,7 @@ class PlaceMarks:
         self._scene = view.getSceneGraph()
         self._handles = Handles()
         self._root = coin.SoSeparator()
-        self._root.addChild(nodes.standing(stands))
+        self._root.addChild(scene.standing(stands))
         self._root.addChild(self._handles.root)
         self._scene.addChild(self._root)
 

@@ -9,7 +9,7 @@ import FreeCAD
 import numpy as np
 from pivy import coin
 
-from freecad_ortho.view import colours, nodes
+from freecad_ortho.view import colours, scene
 from freecad_ortho.view.overlay_shapes import Points, Shape
 from freecad_ortho.view.overlays import shape_node
 from solver.mesh.quadmesh import QuadMesh
@@ -32,7 +32,7 @@ class Preview:
     def __init__(self, view: Any, stands: FreeCAD.Placement) -> None:
         self._scene = view.getSceneGraph()
         self.root = coin.SoSeparator()
-        self.root.addChild(nodes.standing(stands))
+        self.root.addChild(scene.standing(stands))
         self._net = _Sheet(_FACES, _LINES, 0.0)
         self._ground = _Sheet(_GROUND, (0.75, 0.60, 0.35), 0.75)
         for sheet in (self._net, self._ground):
@@ -54,10 +54,10 @@ class Preview:
         self._marks.removeAllChildren()
         for shape in shapes:
             # A point is as large as it is drawn, and half of it would lie below the net.
-            depth = nodes.nearer(_POINTS) if isinstance(shape, Points) else nodes.nearer()
+            depth = scene.nearer(_POINTS) if isinstance(shape, Points) else scene.nearer()
             mark = coin.SoSeparator()
-            for node in (nodes.unpickable(), depth, shape_node(shape)):
-                mark.addChild(node)
+            for child in (scene.unpickable(), depth, shape_node(shape)):
+                mark.addChild(child)
             self._marks.addChild(mark)
 
     def remove(self) -> None:
@@ -85,14 +85,14 @@ class _Sheet:
         edge_colour.diffuseColor = lines
         edge_colour.transparency = transparency
         shape = coin.SoSeparator()
-        for node in (hints, self._material, binding, coin.SoPolygonOffset(), self._faces):
-            shape.addChild(node)
+        for child in (hints, self._material, binding, coin.SoPolygonOffset(), self._faces):
+            shape.addChild(child)
         whole = coin.SoMaterialBinding()
         whole.value = coin.SoMaterialBinding.OVERALL
-        for node in (
-            nodes.unpickable(), nodes.unlit(), self._points, shape, edge_colour, whole, style,
+        for child in (
+            scene.unpickable(), scene.unlit(), self._points, shape, edge_colour, whole, style,
         ):  # fmt: skip
-            self.root.addChild(node)
+            self.root.addChild(child)
         self.root.addChild(self._edges)
 
     def show(self, mesh: QuadMesh | None) -> None:

@@ -24,7 +24,7 @@ class ReflectionLines:
 
     def __init__(self) -> None:
         self.root = coin.SoSwitch()
-        nodes = coin.SoGroup()
+        group = coin.SoGroup()
         light = coin.SoLightModel()
         light.model = coin.SoLightModel.PHONG
         material = coin.SoMaterial()
@@ -36,11 +36,11 @@ class ReflectionLines:
         normal_binding = coin.SoNormalBinding()
         normal_binding.value = coin.SoNormalBinding.PER_VERTEX_INDEXED
         environment = coin.SoTextureCoordinateEnvironment()
-        for node in (light, material, binding, self._normals, normal_binding):
-            nodes.addChild(node)
-        nodes.addChild(_stripes())
-        nodes.addChild(environment)
-        self.root.addChild(nodes)
+        for child in (light, material, binding, self._normals, normal_binding):
+            group.addChild(child)
+        group.addChild(_stripes())
+        group.addChild(environment)
+        self.root.addChild(group)
         self.hide()
 
     def show(self, mesh: QuadMesh) -> None:

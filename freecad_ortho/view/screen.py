@@ -38,13 +38,13 @@ class Screen:
     size: tuple[int, int]
 
     @classmethod
-    def of_event(cls, node: Any) -> Screen:
+    def of_event(cls, callback: Any) -> Screen:
         """The view in which the event of a SoEventCallback happened.
 
         Points are in the coordinates of what is drawn beside that node: those of the parts that
         contain it are followed.
         """
-        action = node.getAction()
+        action = callback.getAction()
         # An event on its way through the scene knows the camera but no transformations.
         model = coin.SoGetMatrixAction(action.getViewportRegion())
         model.apply(action.getCurPath())
@@ -97,9 +97,9 @@ class Screen:
         return np.flatnonzero(((places >= low) & (places <= high)).all(axis=1)).tolist()
 
 
-def mouse_of(node: Any) -> FloatArray:
+def mouse_of(callback: Any) -> FloatArray:
     """(2,) pixel at which the event of a SoEventCallback happened."""
-    return _pair(node.getEvent().getPosition(node.getAction().getViewportRegion()))
+    return _pair(callback.getEvent().getPosition(callback.getAction().getViewportRegion()))
 
 
 def views(document: str) -> list[Any]:

@@ -8,7 +8,7 @@ import FreeCAD
 import numpy as np
 from pivy import coin
 
-from freecad_ortho.view import nodes
+from freecad_ortho.view import scene
 from freecad_ortho.view.dragging import first_hit, on_surface
 from freecad_ortho.view.screen import Ray, Screen, mouse_of
 from solver.mesh.closest import TriangleSurface
@@ -64,7 +64,7 @@ class SurfaceHand:
         self._place: FloatArray | None = None
         self._start = self._last = self._offset = np.zeros(2)
         self._scene = view.getSceneGraph()
-        self._build_nodes(stands)
+        self._build_scene(stands)
         self._scene.insertChild(self.root, 0)
 
     def remove(self) -> None:
@@ -80,7 +80,7 @@ class SurfaceHand:
         self._new = False
         self._show([])
 
-    def _build_nodes(self, stands: FreeCAD.Placement) -> None:
+    def _build_scene(self, stands: FreeCAD.Placement) -> None:
         self.root, self._events = coin.SoSeparator(), coin.SoEventCallback()
         self._coordinates, self._colour = coin.SoCoordinate3(), coin.SoBaseColor()
         self._markers, self._lines = coin.SoMarkerSet(), coin.SoLineSet()
@@ -88,23 +88,23 @@ class SurfaceHand:
         on_top, style = coin.SoDepthBuffer(), coin.SoDrawStyle()
         on_top.function = coin.SoDepthBuffer.ALWAYS
         style.lineWidth = 4
-        for node in (
-            nodes.standing(stands), self._events, nodes.unpickable(), nodes.unlit(), on_top, style,
+        for child in (
+            scene.standing(stands), self._events, scene.unpickable(), scene.unlit(), on_top, style,
             self._colour, self._coordinates, self._lines, self._markers,
         ):  # fmt: skip
-            self.root.addChild(node)
+            self.root.addChild(child)
         self._show([])
-        self._callbacks = nodes.heard(self._events, self._pressed, self._moved, self._typed)
+        self._callbacks = scene.heard(self._events, self._pressed, self._moved, self._typed)
 
-    def _pressed(self, _: Any, node: Any) -> None:
-        event = node.getEvent()
+    def _pressed(self, _: Any, callback: Any) -> None:
+        event = callback.getEvent()
         if event.getButton() != coin.SoMouseButtonEvent.BUTTON1:
             return
-        screen, pixel = Screen.of_event(node), mouse_of(node)
+        screen, pixel = Screen.of_event(callback), mouse_of(callback)
         down = event.getState() == coin.SoButtonEvent.DOWN
         handled = self._down(screen, pixel) if down else self._up(screen)
         if handled:
-            node.setHandled()
+            callback.setHandled()
 
     def _down(self, screen: Screen, pixel: FloatArray) -> bool:
         self._start = self._last = pixel
@@ -129,10 +129,10 @@ class SurfaceHand:
             self._show([place])
         return self._new
 
-    def _moved(self, _: Any, node: Any) -> None:
+    def _moved(self, _: Any, callback: Any) -> None:
         if self._held is None and self._line is None and not self._new:
             return
-        screen, pixel = Screen.of_event(node), mouse_of(node)
+        screen, pixel = Screen.of_event(callback), mouse_of(callback)
         if self._new:
             self._begin(screen.ray(pixel))
         elif self._line is not None:
@@ -141,7 +141,7 @@ class SurfaceHand:
             ray = screen.ray(pixel + self._offset)
             self._place = on_surface(ray, self.points[self._held], self._surface)
             self._show([self._place])
-        node.setHandled()
+        callback.setHandled()
 
     def _go_on(self, ray: Ray, pixel: FloatArray) -> None:
         """Draw on, where the mouse has gone far enough and is on the surface."""
@@ -165,13 +165,13 @@ class SurfaceHand:
             self._listener.dropped(held, place, float(np.linalg.norm(across)))
         return new or held is not None or line is not None
 
-    def _typed(self, _: Any, node: Any) -> None:
-        event = node.getEvent()
+    def _typed(self, _: Any, callback: Any) -> None:
+        event = callback.getEvent()
         busy = self._new or self._held is not None or self._line is not None
         pressed = event.getState() == coin.SoButtonEvent.DOWN
         if busy and pressed and event.getKey() == coin.SoKeyboardEvent.ESCAPE:
             self.release()
-            node.setHandled()
+            callback.setHandled()
 
     def _show(self, places: list[FloatArray]) -> None:
         count = len(places)

@@ -42,12 +42,12 @@ def _closed(mesh: TriangleMesh, smallest: float) -> TriangleMesh:
     outer = int(np.argmax(spans))
     small = [k for k, span in enumerate(spans) if span < smallest and k != outer]
     for loop in (loops[k] for k in small):
-        patch = [loop[::-1]]
+        filling = [loop[::-1]]
         if len(loop) > 3:
             middle = len(points)
             points = np.concatenate([points, points[loop].mean(axis=0)[None]])
-            patch = [[b, a, middle] for a, b in zip(loop, [*loop[1:], loop[0]], strict=True)]
-        triangles = np.concatenate([triangles, np.array(patch)])
+            filling = [[b, a, middle] for a, b in zip(loop, [*loop[1:], loop[0]], strict=True)]
+        triangles = np.concatenate([triangles, np.array(filling)])
     return TriangleMesh(points, triangles) if small else mesh
 
 

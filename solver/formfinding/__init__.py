@@ -3,9 +3,9 @@
 from solver.formfinding.equilibrium import FormFound, find_form
 from solver.formfinding.forces import (
     CableNet,
-    Loads,
     Membrane,
     Tension,
+    VertexLoads,
     family_densities,
     supported,
 )
@@ -13,9 +13,9 @@ from solver.formfinding.forces import (
 __all__ = [
     "CableNet",
     "FormFound",
-    "Loads",
     "Membrane",
     "Tension",
+    "VertexLoads",
     "family_densities",
     "find_form",
     "supported",

@@ -11,7 +11,7 @@ from scipy.sparse.csgraph import connected_components
 from scipy.sparse.linalg import splu
 
 from solver.errors import InputError
-from solver.formfinding.forces import Loads, Tension
+from solver.formfinding.forces import Tension, VertexLoads
 from solver.formfinding.mixing import Mixing
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.local_origin import LocalOrigin
@@ -63,7 +63,7 @@ def find_form(
     mesh: QuadMesh,
     supports: BoolArray,
     tension: Tension,
-    loads: Loads | None = None,
+    loads: VertexLoads | None = None,
     *,
     tolerance: float = 1e-10,
     max_iterations: int = 500,
@@ -93,7 +93,7 @@ def find_form(
         origin.near_mesh(mesh),
         supports,
         tension,
-        Loads() if loads is None else loads,
+        VertexLoads() if loads is None else loads,
         tolerance,
         max_iterations,
         callback,
@@ -105,7 +105,7 @@ def _found(
     mesh: QuadMesh,
     supports: BoolArray,
     tension: Tension,
-    loads: Loads,
+    loads: VertexLoads,
     tolerance: float,
     max_iterations: int,
     callback: Callable[[int, float], bool | None] | None,
@@ -202,7 +202,7 @@ def _along(freedom: FloatArray | None, vectors: FloatArray) -> FloatArray:
     return vectors if freedom is None else np.einsum("vxy,vy->vx", freedom, vectors)
 
 
-def _state(mesh: QuadMesh, held: BoolArray, tension: Tension, loads: Loads) -> _State:
+def _state(mesh: QuadMesh, held: BoolArray, tension: Tension, loads: VertexLoads) -> _State:
     """Forces in the present shape and what is left of them."""
     links, densities = tension.links(mesh)
     forces = loads.forces(mesh)

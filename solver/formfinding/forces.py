@@ -127,7 +127,7 @@ class Membrane:
 
 
 @dataclass(frozen=True, eq=False)
-class Loads:
+class VertexLoads:
     """Loads on the vertices; what depends on the shape follows it.
 
     Attributes:

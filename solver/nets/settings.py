@@ -240,21 +240,21 @@ class Weights:
 
 
 def add_guides(
-    problem: Problem, ladder: Sequence[Weights], patch: tuple[int, int] = (1, 2)
+    problem: Problem, ladder: Sequence[Weights], rectangle: tuple[int, int] = (1, 2)
 ) -> Problem:
     """Add the guides that all recipes share and that lead some attempt of a ladder.
 
     Args:
         problem: to which they are added.
         ladder: weights of its attempts.
-        patch: faces along and across the patches of the multi-net guide.
+        rectangle: faces along and across the patches of the multi-net guide.
     """
     net, start = problem.mesh.connectivity, problem.start
     points = start[: 3 * net.vertex_count].reshape(-1, 3)
     used, guarded = np.flatnonzero(net.referenced), problem.tuning.guarded
     guides: dict[str, Callable[[], Term]] = {
         "fairness": lambda: Fairness(net.line_triples),
-        "multi": lambda: multi_net(net, *patch),
+        "multi": lambda: multi_net(net, *rectangle),
         "closeness": lambda: Closeness(used, points[used]),
         "evenness": lambda: Evenness(net.line_quadruples),
         "smooth_motion": lambda: Fairness(net.line_triples, start, "smooth motion"),

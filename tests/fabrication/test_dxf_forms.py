@@ -26,7 +26,7 @@ from freecad_ortho.fabrication import (
     build,
     write,
 )
-from freecad_ortho.fabrication.dxf import LAYERS, write_dxf, write_sheet
+from freecad_ortho.fabrication.dxf import DXF_LAYERS, write_dxf, write_sheet
 from freecad_ortho.fabrication.dxf_form import DxfForm
 from freecad_ortho.fabrication.pattern import polygon_area
 from freecad_ortho.fabrication.production import produce
@@ -146,7 +146,7 @@ def test_blocks_hide_the_outlines_from_them(made, tmp_path):
 
 def test_flat_drawings_have_the_layers_and_what_is_on_them(made, flat):
     drawing = ezdxf.readfile(flat / "flat.dxf")
-    assert set(LAYERS) <= {layer.dxf.name for layer in drawing.layers}
+    assert set(DXF_LAYERS) <= {layer.dxf.name for layer in drawing.layers}
     kinds = Counter((e.dxf.layer, e.dxftype()) for e in drawing.modelspace())
     assert {layer for layer, _ in kinds} == {"CUT", "BEVEL", "ENGRAVE", "LABEL"}
     # Letters are lines; no text, no insert and no block of ours is left.

@@ -23,7 +23,7 @@ from freecad_ortho.fabrication import (
     stage_seconds,
     write,
 )
-from freecad_ortho.fabrication.dxf import LAYERS, row_layout, write_dxf
+from freecad_ortho.fabrication.dxf import DXF_LAYERS, row_layout, write_dxf
 from freecad_ortho.fabrication.pattern import Bevel, FlatPattern, polygon_area
 from freecad_ortho.fabrication.production import produce
 from freecad_ortho.fabrication.step import read_step
@@ -95,7 +95,7 @@ def test_same_structure_gives_the_same_files(roof, tmp_path):
 def test_dxf_is_sound_and_in_millimetres(drawing):
     assert not drawing.audit().errors
     assert drawing.header["$INSUNITS"] == 4
-    assert set(LAYERS) <= {layer.dxf.name for layer in drawing.layers}
+    assert set(DXF_LAYERS) <= {layer.dxf.name for layer in drawing.layers}
 
 
 def test_dxf_has_one_block_a_part_with_its_outline(structure, drawing):
@@ -113,7 +113,7 @@ def test_dxf_has_one_block_a_part_with_its_outline(structure, drawing):
         # the flat outline is the solid's own: its corners, in its own coordinates
         gap = np.linalg.norm(outline[:, None] - part.body.corners[None, :, :2], axis=2)
         assert gap.min(axis=1).max() <= 1e-7
-        assert {entity.dxf.layer for entity in block} <= set(LAYERS)
+        assert {entity.dxf.layer for entity in block} <= set(DXF_LAYERS)
 
 
 def text_box(text):

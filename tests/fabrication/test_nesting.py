@@ -15,7 +15,7 @@ import shapely
 
 from freecad_ortho import api
 from freecad_ortho.fabrication import Beams, FlatPattern, Panels, Workshop, build, write
-from freecad_ortho.fabrication.dxf import LAYERS
+from freecad_ortho.fabrication.dxf import DXF_LAYERS
 from freecad_ortho.fabrication.nesting import library, nest
 from freecad_ortho.fabrication.nesting.skyline import Skyline
 from freecad_ortho.fabrication.part import some_names
@@ -300,7 +300,7 @@ def test_files_of_the_sheets(roof, tmp_path):
     for path in sorted((tmp_path / "sheets").glob("*.dxf")):
         drawing = ezdxf.readfile(path)
         assert not drawing.audit().errors
-        assert set(LAYERS) | {"SHEET"} <= {layer.dxf.name for layer in drawing.layers}
+        assert set(DXF_LAYERS) | {"SHEET"} <= {layer.dxf.name for layer in drawing.layers}
         for insert in drawing.modelspace().query("INSERT"):
             seen.append(insert.dxf.name)
             cut = insert.virtual_entities()

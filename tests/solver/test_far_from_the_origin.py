@@ -8,7 +8,7 @@ import pytest
 from solver import Constraints, InputError, NetOptions, Session, optimise
 from solver.analysis.advisor import advise
 from solver.analysis.check import check
-from solver.formfinding import Loads, Membrane, find_form, supported
+from solver.formfinding import Membrane, VertexLoads, find_form, supported
 from solver.mesh.mirror import size_of
 from solver.nets.constraints import BoundaryGlide, CurveGlide, PlaneGlide, SurfaceGlide
 from tests.conftest import surface_of_revolution, wavy_grid
@@ -127,7 +127,7 @@ def test_measures_and_advice_are_the_same_anywhere(offset):
 def test_a_membrane_finds_its_form_anywhere(offset):
     start = rounded(wavy_grid(7, 6))
     held = supported(start, "boundary")
-    loads = Loads((0, 0, -0.1))
+    loads = VertexLoads((0, 0, -0.1))
     near, far = (
         find_form(moved(start, place), held, Membrane(1.0, 0.0), loads)
         for place in (np.zeros(3), offset)

@@ -91,7 +91,7 @@ def member_of(part: Part) -> Member | None:
     body = part.body
     if isinstance(body, ProfiledBody):
         outline = np.concatenate(
-            [body.halves.nodes, _arcs(body)] if _is_round(body) else [body.halves.nodes]
+            [body.halves.corners, _arcs(body)] if _is_round(body) else [body.halves.corners]
         )
         return _checked(Member(outline[:, ::-1], _planes(body.first), _planes(body.last)))
     if isinstance(body, RoundTube):

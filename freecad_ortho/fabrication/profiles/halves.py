@@ -1,6 +1,6 @@
 """A section cut along its upright: how its left and its right half are bounded.
 
-Where the end of a beam is cut by two planes they meet in the upright. A node is a place on an
+Where the end of a beam is cut by two planes they meet in the upright. A corner is a place on an
 outline: where two sides meet, or where one crosses the upright.
 """
 
@@ -21,7 +21,7 @@ from solver.mesh.quadmesh import FloatArray
 # Nodes nearer to the upright than this, mm, are on it.
 _ON_UPRIGHT = 1e-9
 
-# Numbers of nodes around something, one after the other.
+# Numbers of corners around something, one after the other.
 Loop = tuple[int, ...]
 
 
@@ -31,15 +31,15 @@ class Halves:
 
     Attributes:
         sides: of all rings, each wholly on one side of the upright.
-        ends: (n, 2) numbers of the nodes where each begins and ends.
-        nodes: (m, 2) y and z, mm.
-        rings: nodes around each ring.
+        ends: (n, 2) numbers of the corners where each begins and ends.
+        corners: (m, 2) y and z, mm.
+        rings: corners around each ring.
         side_of: (n,) 1 for sides on the right, -1 on the left.
     """
 
     sides: tuple[Side, ...]
     ends: IntArray
-    nodes: FloatArray
+    corners: FloatArray
     rings: tuple[Loop, ...]
     side_of: IntArray
 
@@ -55,14 +55,14 @@ class Halves:
             ends += zip(numbers, [*numbers[1:], numbers[0]], strict=True)
             sides += pieces
             rings.append(tuple(numbers))
-        nodes = np.array([side.start for side in sides])
-        nodes[np.abs(nodes[:, 0]) < _ON_UPRIGHT, 0] = 0.0
+        corners = np.array([side.start for side in sides])
+        corners[np.abs(corners[:, 0]) < _ON_UPRIGHT, 0] = 0.0
         middles = np.array([side.at(np.array([0.5]))[0, 0] for side in sides])
         # What lies on the upright bounds what is on its left.
         rising = np.array([side.end[1] - side.start[1] for side in sides])
         on = np.abs(middles) < _ON_UPRIGHT
         right = np.where(on, rising < 0, middles > 0)
-        return cls(tuple(sides), np.array(ends), nodes, tuple(rings), np.where(right, 1, -1))
+        return cls(tuple(sides), np.array(ends), corners, tuple(rings), np.where(right, 1, -1))
 
     @cached_property
     def areas(self) -> FloatArray:
@@ -109,19 +109,21 @@ class Halves:
         return found
 
     def _along_upright(self, here: int, begins: set[int], half: int) -> int:
-        """The node where the next chain begins: on the right below, on the left above."""
-        height = self.nodes[here, 1]
-        ways = {node: half * float(height - self.nodes[node, 1]) for node in begins}
-        return min((way, node) for node, way in ways.items() if way > -_ON_UPRIGHT)[1]
+        """The corner where the next chain begins: on the right below, on the left above."""
+        height = self.corners[here, 1]
+        ways = {corner: half * float(height - self.corners[corner, 1]) for corner in begins}
+        return min((way, corner) for corner, way in ways.items() if way > -_ON_UPRIGHT)[1]
 
     def holes(self, loops: Sequence[Loop]) -> list[tuple[Loop, list[Loop]]]:
         """Each outline among loops with the holes that lie in it."""
-        outer = [loop for loop in loops if polygon_area(self.nodes[list(loop)]) > 0]
+        outer = [loop for loop in loops if polygon_area(self.corners[list(loop)]) > 0]
         inner = [loop for loop in loops if loop not in outer]
         found: list[tuple[Loop, list[Loop]]] = [(loop, []) for loop in outer]
         for hole in inner:
             home = next(
-                entry for entry in found if _inside(self.nodes[hole[0]], self.nodes[list(entry[0])])
+                entry
+                for entry in found
+                if _inside(self.corners[hole[0]], self.corners[list(entry[0])])
             )
             home[1].append(hole)
         return found

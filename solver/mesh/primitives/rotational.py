@@ -61,8 +61,8 @@ def unduloid(
 
     With ``principal`` lines its meridians and parallels, exactly planar with equal diagonals, m of
     them around. With ``cmc`` lines the bisectors of the curvature lines, whose stars lie on spheres
-    of radius widest + narrowest in the limit (to second order): a patch of m x n lines around the
-    widest place, spanning ``periods`` periods from corner to corner.
+    of radius widest + narrowest in the limit (to second order): a rectangle of m x n lines around
+    the widest place, spanning ``periods`` periods from corner to corner.
 
     Source: Delaunay (1841); radius a dn, a = widest, in conformal parameters.
 

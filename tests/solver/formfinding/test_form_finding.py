@@ -8,8 +8,8 @@ import pytest
 from solver import InputError, QuadMesh
 from solver.formfinding import (
     CableNet,
-    Loads,
     Membrane,
+    VertexLoads,
     family_densities,
     find_form,
     supported,
@@ -44,7 +44,7 @@ def check_equilibrium(found, held, tension, loads):
 def test_uniform_vertex_loads_hang_in_a_parabola():
     mesh = primitive("rectangle", 17, 4, length=16.0)
     held, net = ends(mesh, 4), CableNet(family_densities(mesh, u=3.0, v=0.0))
-    loads = Loads(vertex=(0, 0, -0.6))
+    loads = VertexLoads(vertex=(0, 0, -0.6))
     found = find_form(mesh, held, net, loads)
     assert found.converged and found.iterations == 1
     x, _, z = found.mesh.vertices.T
@@ -61,7 +61,7 @@ def test_self_weight_hangs_in_a_catenary():
         q = 0.8 * (count - 1) / 2
         # Width 1: the middle row carries weight 1/2 a length, each border 1/4; horizontal pull 0.8.
         net = CableNet(family_densities(mesh, u=0.5 * q, v=0, border=0.25 * q))
-        found = find_form(mesh, ends(mesh, 3), net, Loads(area=(0, 0, -1)))
+        found = find_form(mesh, ends(mesh, 3), net, VertexLoads(area=(0, 0, -1)))
         assert found.converged
         x, _, z = found.mesh.vertices.T
         errors.append(np.abs(z - 0.8 * (np.cosh(x / 0.8) - np.cosh(1 / 0.8))).max())
@@ -71,7 +71,7 @@ def test_self_weight_hangs_in_a_catenary():
 
 def test_beam_load_counts_every_edge_by_its_length():
     mesh = primitive("rectangle", 9, 5, length=2.0)
-    net, loads = CableNet(40.0), Loads(beam=(0, 0, -1))
+    net, loads = CableNet(40.0), VertexLoads(beam=(0, 0, -1))
     held = supported(mesh, "boundary")
     found = find_form(mesh, held, net, loads)
     assert found.converged
@@ -89,7 +89,7 @@ def test_cable_net_between_raised_corners_is_linear_and_saddle_shaped():
     weak = find_form(start, held, CableNet(family_densities(start, border=3.0)))
     strong = find_form(start, held, CableNet(family_densities(start, border=300.0)))
     assert weak.iterations == 1
-    check_equilibrium(weak, held, CableNet(family_densities(start, border=3.0)), Loads())
+    check_equilibrium(weak, held, CableNet(family_densities(start, border=3.0)), VertexLoads())
     assert weak.mesh.vertices[40] == pytest.approx([0, 0, 0.25])
     # Strong border cables are nearly straight, weak ones sag inward.
     side = [np.abs(found.mesh.vertices[4 * 9, 1]) for found in (weak, strong)]
@@ -120,7 +120,9 @@ def test_membrane_under_pressure_is_a_sphere():
         share = np.linspace(0, 1, count)[:, None]
         corner = np.stack([np.cos(ends_), np.sin(ends_)], axis=1)
         mesh = rotational_net(corner[0] + share * (corner[1] - corner[0]), 4 * count - 4)
-        found = find_form(mesh, supported(mesh, "boundary"), Membrane(3.0), Loads(pressure=6.0))
+        found = find_form(
+            mesh, supported(mesh, "boundary"), Membrane(3.0), VertexLoads(pressure=6.0)
+        )
         assert found.converged
         errors.append(np.abs(np.linalg.norm(found.mesh.vertices, axis=1) - 1).max())
     assert errors[-1] < 5e-4
@@ -144,9 +146,9 @@ def test_cables_of_a_flat_membrane_are_arcs():
 def test_results_do_not_depend_on_place_and_unit():
     mesh = wavy_grid(7, 6)
     held = supported(mesh, "boundary")
-    here = find_form(mesh, held, Membrane(1.0), Loads(pressure=0.1)).mesh
+    here = find_form(mesh, held, Membrane(1.0), VertexLoads(pressure=0.1)).mesh
     moved = similarity(mesh, scale=1000.0, degrees=(10, 20, 30), move=(5e3, 0, -2e3))
-    there = find_form(moved, held, Membrane(1000.0), Loads(pressure=0.1)).mesh
+    there = find_form(moved, held, Membrane(1000.0), VertexLoads(pressure=0.1)).mesh
     expected = similarity(here, scale=1000.0, degrees=(10, 20, 30), move=(5e3, 0, -2e3))
     np.testing.assert_allclose(there.vertices, expected.vertices, rtol=0, atol=1e-7)
 
@@ -154,12 +156,16 @@ def test_results_do_not_depend_on_place_and_unit():
 def test_no_equilibrium_is_said():
     mesh = primitive("rectangle", 7, 7)
     held = supported(mesh, "boundary")
-    blown = find_form(mesh, held, Membrane(), Loads(pressure=50.0), max_iterations=40)
+    blown = find_form(mesh, held, Membrane(), VertexLoads(pressure=50.0), max_iterations=40)
     assert not blown.converged
     assert "lower the load" in blown.message
     seen = []
     find_form(
-        mesh, held, Membrane(), Loads(pressure=1.0), callback=lambda k, f: seen.append(k) or k == 2
+        mesh,
+        held,
+        Membrane(),
+        VertexLoads(pressure=1.0),
+        callback=lambda k, f: seen.append(k) or k == 2,
     )
     assert seen == [1, 2]
 
@@ -173,10 +179,16 @@ def test_no_equilibrium_is_said():
         (lambda m: find_form(m, supported(m, "1"), CableNet(0.0)), "hang on no support"),
         (lambda m: find_form(m, np.ones(12, dtype=bool), CableNet()), "every vertex is held"),
         (lambda m: find_form(m, supported(m, "1"), CableNet([1.0, 2.0])), "densities"),
-        (lambda m: find_form(m, supported(m, "1"), CableNet(), Loads(area=(1, 2))), "area load"),
+        (
+            lambda m: find_form(m, supported(m, "1"), CableNet(), VertexLoads(area=(1, 2))),
+            "area load",
+        ),
         (lambda m: Membrane(stress=-1.0), "stress"),
         (lambda m: Membrane(cable=-1.0), "cable"),
-        (lambda m: find_form(m, supported(m, "1"), CableNet(), Loads(pressure=np.nan)), "pressure"),
+        (
+            lambda m: find_form(m, supported(m, "1"), CableNet(), VertexLoads(pressure=np.nan)),
+            "pressure",
+        ),
     ],
 )
 def test_bad_input_is_one_line(call, words):

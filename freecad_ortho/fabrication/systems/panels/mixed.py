@@ -179,14 +179,14 @@ def _parts(
                 site,
                 plate.name,
                 "panel",
-                plate.layered.body(),
+                plate.built_up.body(),
                 (plate.origin, geometry.planes.frame[row]),
                 plate.pattern,
                 settings.thickness,
                 vertices=tuple(same.faces[row].tolist()),
                 face=face,
                 measures=measures[face],
-                weighed=plate.layered.weighed(site.material.density),
+                weighed=plate.built_up.weighed(site.material.density),
             )
         )
     return parts

@@ -16,10 +16,10 @@ from freecad_ortho.fabrication.pattern import FlatPattern, Mark, fitted_text_siz
 from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.panels.blunt import blunted, cut_off
+from freecad_ortho.fabrication.systems.panels.build_ups import BuiltUp, layers_table
 from freecad_ortho.fabrication.systems.panels.cassette import Cassette, Fold
 from freecad_ortho.fabrication.systems.panels.cold import ColdBent, unbent
 from freecad_ortho.fabrication.systems.panels.geometry import PanelGeometry, neighbours
-from freecad_ortho.fabrication.systems.panels.layers import Layered, layers_table
 from freecad_ortho.fabrication.systems.panels.slivers import Pieces, join_slivers
 from freecad_ortho.fabrication.systems.panels.trimmed import Trimmed, trimmed, trimmed_pattern
 from freecad_ortho.fabrication.systems.system import Table
@@ -43,7 +43,7 @@ class PanelParts:
     """
 
     parts: tuple[Part, ...]
-    layers: tuple[Layered, ...]
+    layers: tuple[BuiltUp, ...]
     left_out: dict[str, Trimmed]
     joined: dict[str, tuple[str, float]]
     onto: IntArray
@@ -110,11 +110,11 @@ def panel_parts(
             measures=measures[plate.face],
             weighed=None
             if isinstance(body, Cassette)
-            else plate.layered.weighed(site.material.density),
+            else plate.built_up.weighed(site.material.density),
         )
         for plate, (body, pattern, origin) in zip(plates, made, strict=True)
     )
-    layers = tuple(plate.layered for plate in plates)
+    layers = tuple(plate.built_up for plate in plates)
     return PanelParts(parts, layers, left_out, joined, onto, above, blunt)
 
 
@@ -123,7 +123,7 @@ class Plate(NamedTuple):
 
     name: str
     face: int
-    layered: Layered
+    built_up: BuiltUp
     pattern: FlatPattern
     origin: FloatArray
 
@@ -180,14 +180,14 @@ def _formed(
     flat plate that is bent into it. Its edges are folded where it has room for that.
     """
     if isinstance(formed, Fold):
-        cassette = Cassette(plate.layered.under, formed)
+        cassette = Cassette(plate.built_up.under, formed)
         if cassette.fits:
             return _folded(plate, geometry, cassette)
-    if not isinstance(formed, ColdBent) or not plate.layered.bends:
-        return plate.layered.body(), plate.pattern, plate.origin
+    if not isinstance(formed, ColdBent) or not plate.built_up.bends:
+        return plate.built_up.body(), plate.pattern, plate.origin
     corner = plate.origin - geometry.planes.middle[plate.face]
     low = geometry.planes.frame[plate.face, :2] @ corner
-    body = formed.body(plate.face, plate.layered.under, low, thickness)
+    body = formed.body(plate.face, plate.built_up.under, low, thickness)
     flat = unbent(body.corners[:4])
     return body, replace(plate.pattern, outline=flat - flat.min(axis=0)), plate.origin
 
@@ -244,10 +244,10 @@ def plate_of(
     """
     low = geometry.outline[face].min(axis=0)
     under, over, outline = (geometry.corners.outline(face, ring[face]) - low for ring in rings)
-    layered = Layered.of((under, over), *made_of, name)
+    built_up = BuiltUp.of((under, over), *made_of, name)
     pattern = _flat_pattern(name, outline, geometry.outline[face] - low, beside)
-    pattern = replace(pattern, bevels=bevels_of(layered.whole), seen="above")
-    return Plate(name, face, layered, pattern, geometry.origin[face])
+    pattern = replace(pattern, bevels=bevels_of(built_up.whole), seen="above")
+    return Plate(name, face, built_up, pattern, geometry.origin[face])
 
 
 def _cut_plate(
@@ -261,13 +261,13 @@ def _cut_plate(
     """A piece that the border leaves."""
     low = piece.outline.min(axis=0)
     piece = piece.moved(-low)
-    layered = Layered.of((piece.under, piece.over), *made_of, name, piece.cutouts)
+    built_up = BuiltUp.of((piece.under, piece.over), *made_of, name, piece.cutouts)
     told = ["" if side is None else beside[side] for side in geometry.corners.sides(face)]
     pattern = trimmed_pattern(name, piece, told)
-    pattern = replace(pattern, bevels=bevels_of(layered.whole), seen="above")
+    pattern = replace(pattern, bevels=bevels_of(built_up.whole), seen="above")
     corner = np.append(low, geometry.levels[0, face])
     origin = geometry.planes.middle[face] + corner @ geometry.planes.frame[face]
-    return Plate(name, face, layered, pattern, origin)
+    return Plate(name, face, built_up, pattern, origin)
 
 
 def _flat_pattern(

@@ -24,6 +24,7 @@ from freecad_ortho.fabrication.systems.panels.bearing import (
     measures_of,
 )
 from freecad_ortho.fabrication.systems.panels.border import at_border
+from freecad_ortho.fabrication.systems.panels.build_ups import build_up_report
 from freecad_ortho.fabrication.systems.panels.cassette import Fold, fold_report, refuse_brittle
 from freecad_ortho.fabrication.systems.panels.cold import ColdBent, bending_report
 from freecad_ortho.fabrication.systems.panels.frame import Covered
@@ -34,7 +35,6 @@ from freecad_ortho.fabrication.systems.panels.geometry import (
     panel_geometry,
 )
 from freecad_ortho.fabrication.systems.panels.hubs import Stands
-from freecad_ortho.fabrication.systems.panels.layers import build_up_report
 from freecad_ortho.fabrication.systems.panels.mixed import mixed_panels
 from freecad_ortho.fabrication.systems.panels.parts import panel_parts
 from freecad_ortho.fabrication.systems.panels.way_in import closing, inward_normals, judged

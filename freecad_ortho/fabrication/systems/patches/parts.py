@@ -88,8 +88,8 @@ class PatchMaker:
     def _cut(self, trimming: Trimming) -> list[CutPiece]:
         """What a border leaves of the patch, the widest piece first."""
         bent, flat = self._patch.bent.vertices, self._patch.flat
-        layers = np.stack([bent - self._half, bent + self._half])
-        sheet = BentSheet(flat.vertices[:, :2], layers, flat.faces)
+        sides = np.stack([bent - self._half, bent + self._half])
+        sheet = BentSheet(flat.vertices[:, :2], sides, flat.faces)
         corners = self._laid.flat.vertices[flat.faces, :2]
         regions = {}
         for number, face in enumerate(self._piece.faces.tolist()):

@@ -49,9 +49,9 @@ def sheet_body(mesh: QuadMesh, half: FloatArray, thickness: float, name: str) ->
     return RuledBody(corners, tuple(sides), blocks=blocks)
 
 
-def _refuse_folds(mesh: QuadMesh, layers: FloatArray, thickness: float, name: str) -> None:
+def _refuse_folds(mesh: QuadMesh, sides: FloatArray, thickness: float, name: str) -> None:
     """Refuse a thickness at which a side of the sheet folds over."""
-    for points in layers:
+    for points in sides:
         corner = points[mesh.faces]
         after, before = np.roll(corner, -1, axis=1) - corner, np.roll(corner, 1, axis=1) - corner
         upright = np.einsum("fck,fk->fc", np.cross(after, before), mesh.face_normals)

@@ -18,16 +18,16 @@ _NEARER = 2e-5
 
 def unpickable() -> coin.SoPickStyle:
     """What follows is only shown and does not catch the mouse."""
-    node = coin.SoPickStyle()
-    node.style = coin.SoPickStyle.UNPICKABLE
-    return node
+    made = coin.SoPickStyle()
+    made.style = coin.SoPickStyle.UNPICKABLE
+    return made
 
 
 def unlit() -> coin.SoLightModel:
     """What follows has its plain colours."""
-    node = coin.SoLightModel()
-    node.model = coin.SoLightModel.BASE_COLOR
-    return node
+    made = coin.SoLightModel()
+    made.model = coin.SoLightModel.BASE_COLOR
+    return made
 
 
 def nearer(by: float = _NEARER) -> coin.SoDepthBuffer:
@@ -36,11 +36,11 @@ def nearer(by: float = _NEARER) -> coin.SoDepthBuffer:
     Args:
         by: part of the depth of the scene.
     """
-    node = coin.SoDepthBuffer()
-    node.range = (0.0, 1.0 - by)
+    made = coin.SoDepthBuffer()
+    made.range = (0.0, 1.0 - by)
     # What is drawn later in the same place is seen, as without this node.
-    node.function = coin.SoDepthBuffer.LEQUAL
-    return node
+    made.function = coin.SoDepthBuffer.LEQUAL
+    return made
 
 
 def heard(
@@ -70,10 +70,10 @@ def window_camera() -> coin.SoOrthographicCamera:
 
 def standing(place: FreeCAD.Placement) -> coin.SoTransform:
     """What follows is in coordinates that stand so in the scene."""
-    node = coin.SoTransform()
-    node.translation = tuple(place.Base)
-    node.rotation = coin.SbRotation(*place.Rotation.Q)
-    return node
+    made = coin.SoTransform()
+    made.translation = tuple(place.Base)
+    made.rotation = coin.SbRotation(*place.Rotation.Q)
+    return made
 
 
 def set_indices(shape: Any, rows: IntArray) -> None:
@@ -89,11 +89,11 @@ def set_polygons(shape: Any, corners: IntArray, sizes: IntArray) -> None:
     shape.coordIndex.setValues(0, len(indices), indices)
 
 
-def set_points(node: coin.SoCoordinate3, points: FloatArray) -> None:
+def set_points(coordinates: coin.SoCoordinate3, points: FloatArray) -> None:
     """Give coordinates (N, 3) and no others."""
-    node.point.deleteValues(len(points))
+    coordinates.point.deleteValues(len(points))
     if len(points):
-        node.point.setValues(0, len(points), points)
+        coordinates.point.setValues(0, len(points), points)
 
 
 def left_out_of_fitting() -> coin.SoGroup:

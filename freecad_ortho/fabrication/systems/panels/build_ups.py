@@ -9,7 +9,7 @@ from itertools import groupby, pairwise
 import numpy as np
 
 from freecad_ortho.fabrication.bodies import Body, Divided, Loops, Polyhedron
-from freecad_ortho.fabrication.build_up import Layer
+from freecad_ortho.fabrication.build_up import MaterialLayer
 from freecad_ortho.fabrication.material import Material
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.pattern import polygon_area
@@ -26,7 +26,7 @@ COLUMNS = (
 
 
 @dataclass(frozen=True, eq=False)
-class Layered:
+class BuiltUp:
     """A plate and its layers.
 
     Attributes:
@@ -41,7 +41,7 @@ class Layered:
     over: FloatArray
     thickness: float
     cutouts: tuple[FloatArray, ...]
-    layers: tuple[Layer, ...]
+    layers: tuple[MaterialLayer, ...]
 
     @classmethod
     def of(
@@ -51,13 +51,15 @@ class Layered:
         material: Material,
         name: str,
         cutouts: tuple[FloatArray, ...] = (),
-    ) -> Layered:
+    ) -> BuiltUp:
         """The layers of a panel of this material.
 
         Raises:
             InputError: layers that are set back so far that nothing is left of a side.
         """
-        layers = material.layers or (Layer("plate", material.name, thickness, material.density),)
+        layers = material.layers or (
+            MaterialLayer("plate", material.name, thickness, material.density),
+        )
         made = cls(*outlines, thickness, cutouts, layers)
         deepest = max(layer.step for layer in layers)
         if deepest > 0:
@@ -202,10 +204,10 @@ def _stepped(blocks: Sequence[tuple[FloatArray, FloatArray, float, float]]) -> D
     return Divided(np.concatenate(rings), loops, tuple(pieces))
 
 
-def layers_table(names: Sequence[str], plates: Sequence[Layered]) -> Table:
+def layers_table(names: Sequence[str], plates: Sequence[BuiltUp]) -> Table:
     """The list of the layers of panels with these names."""
     pairs = zip(names, plates, strict=True)
-    rows = [row for name, layered in pairs for row in layered.rows(name)]
+    rows = [row for name, built_up in pairs for row in built_up.rows(name)]
     return Table("layers.csv", COLUMNS, tuple(rows))
 
 
