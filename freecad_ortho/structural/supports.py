@@ -43,7 +43,7 @@ def supports_of(text: str, net: Connectivity) -> Supports:
                 f"supports: expected {', '.join(_HELD)} or {_SPRINGS}X/Y/Z in kN/mm after ':', "
                 f"got '{kind[:40]}'"
             )
-    return Supports(fixed, springs)
+    return Supports.upright(fixed, springs)
 
 
 def _vertices(place: str, net: Connectivity) -> IntArray | BoolArray:

@@ -79,8 +79,8 @@ class Frame:
         stiffness: of the members.
         up: (M, 3) where their z axes point to.
         springs: (M, 12) stiffness of the joints between a member's ends and its nodes along and
-            about the member's axes: infinite where they are rigid (all, where none are given), 0
-            where a hinge lets go.
+            about the member's axes: infinite where they are rigid (:func:`rigid_joints`), 0 where a
+            hinge lets go.
         panels: that stiffen it against shear.
 
     Raises:
@@ -91,12 +91,10 @@ class Frame:
     members: IntArray
     stiffness: Stiffness
     up: FloatArray
-    springs: FloatArray = field(default_factory=lambda: np.empty((0, 12)))
+    springs: FloatArray
     panels: Panels = field(default_factory=Panels)
 
     def __post_init__(self) -> None:
-        if not len(self.springs):
-            object.__setattr__(self, "springs", np.full((len(self.members), 12), np.inf))
         count = len(self.members)
         if not count:
             raise InputError("frame: has no members; give one at least")
@@ -181,6 +179,11 @@ class Frame:
         )
 
 
+def rigid_joints(count: int) -> FloatArray:
+    """(M, 12) springs at the ends of ``count`` members none of which turns in its joints."""
+    return np.full((count, 12), np.inf)
+
+
 @dataclass(frozen=True, eq=False)
 class Supports:
     """What holds the nodes.
@@ -188,20 +191,19 @@ class Supports:
     Args:
         fixed: (N, 6) true where a node cannot move or turn.
         springs: (N, 6) stiffness of what holds it elastically, 0 for nothing.
-        directions: (N, 3, 3) directions x, y, z of each node's support as rows; the model's own
-            where none are given.
+        directions: (N, 3, 3) directions x, y, z of each node's support as rows.
     """
 
     fixed: BoolArray
-    springs: FloatArray = field(default_factory=lambda: np.empty((0, 6)))
-    directions: FloatArray = field(default_factory=lambda: np.empty((0, 3, 3)))
+    springs: FloatArray
+    directions: FloatArray
 
-    def __post_init__(self) -> None:
-        count = len(self.fixed)
-        if not len(self.springs):
-            object.__setattr__(self, "springs", np.zeros((count, 6)))
-        if not len(self.directions):
-            object.__setattr__(self, "directions", np.broadcast_to(np.eye(3), (count, 3, 3)))
+    @classmethod
+    def upright(cls, fixed: BoolArray, springs: FloatArray | None = None) -> Supports:
+        """Supports in the model's own directions, none of them elastic unless springs say so."""
+        count = len(fixed)
+        soft = np.zeros((count, 6)) if springs is None else springs
+        return cls(fixed, soft, np.broadcast_to(np.eye(3), (count, 3, 3)))
 
     @classmethod
     def at(cls, count: int, held: dict[int, str]) -> Supports:
@@ -209,7 +211,7 @@ class Supports:
         fixed = np.zeros((count, 6), dtype=bool)
         for node, words in held.items():
             fixed[node, [DIRECTIONS.index(word) for word in words.split()]] = True
-        return cls(fixed)
+        return cls.upright(fixed)
 
     def followed_by(self, count: int) -> Supports:
         """The same with nodes after them, ``count`` in all, that nothing holds."""

@@ -6,7 +6,6 @@ not need four corners a face is inherited by :mod:`solver.mesh.mixed`.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -17,9 +16,8 @@ from solver.mesh.groups import BoolArray, IntArray, SameSize, components_of
 __all__ = ["BoolArray", "Connectivity", "IntArray", "SameSize"]
 
 
-@dataclass(frozen=True, eq=False)
 class Connectivity:
-    """Faces of a quad mesh and all that follows from them.
+    """Faces of a quad mesh and all that follows from them; immutable.
 
     A half-edge ``4 * f + k`` runs from corner ``k`` of face ``f`` to the next corner.
 
@@ -32,20 +30,27 @@ class Connectivity:
             has more than two faces or two faces of opposite orientation.
     """
 
-    faces: IntArray
-    vertex_count: int
-
-    def __post_init__(self) -> None:
-        faces = np.ascontiguousarray(self.faces, dtype=np.int64)
+    def __init__(self, faces: IntArray, vertex_count: int) -> None:
+        faces = np.ascontiguousarray(faces, dtype=np.int64)
         if faces.ndim != 2 or faces.shape[1] != 4 or len(faces) == 0:
             raise InputError(
                 f"faces: expected an array of shape (F, 4) with F > 0, got {faces.shape}; "
                 "give quads only"
             )
         faces.setflags(write=False)
-        object.__setattr__(self, "faces", faces)
-        self.check_corners(faces, self.vertex_count)
+        self.check_corners(faces, vertex_count)
+        self._faces, self._vertex_count = faces, vertex_count
         self.refuse_double_edges()
+
+    @property
+    def faces(self) -> IntArray:
+        """(F, 4) vertex numbers, counter-clockwise."""
+        return self._faces
+
+    @property
+    def vertex_count(self) -> int:
+        """V, number of vertices."""
+        return self._vertex_count
 
     def refuse_double_edges(self) -> None:
         """Refuse edges with more than two faces or two of opposite orientation.

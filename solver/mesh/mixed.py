@@ -35,9 +35,7 @@ class MixedConnectivity(Connectivity):
         flat = np.array([corner for polygon in polygons for corner in polygon], dtype=np.int64)
         for values in (sizes, flat):
             values.setflags(write=False)
-        object.__setattr__(self, "vertex_count", vertex_count)
-        object.__setattr__(self, "_sizes", sizes)
-        object.__setattr__(self, "_flat", flat)
+        self._vertex_count, self._sizes, self._corners = vertex_count, sizes, flat
         self.refuse_double_edges()
 
     def __repr__(self) -> str:
@@ -83,8 +81,7 @@ class MixedConnectivity(Connectivity):
     @property
     def face_sizes(self) -> IntArray:
         """(F,) number of corners of each face."""
-        found: IntArray = self.__dict__["_sizes"]
-        return found
+        return self._sizes
 
     @cached_property
     def first_half(self) -> IntArray:
@@ -94,7 +91,7 @@ class MixedConnectivity(Connectivity):
     @cached_property
     def half_edges(self) -> IntArray:
         """(H, 2) start and end vertex of every half-edge."""
-        start = self.__dict__["_flat"]
+        start = self._corners
         return np.stack([start, start[self._next(np.arange(len(start)))]], axis=1)
 
     @property

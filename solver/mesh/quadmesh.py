@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -15,7 +14,6 @@ from solver.mesh.connectivity import Connectivity, IntArray
 FloatArray = NDArray[np.float64]
 
 
-@dataclass(frozen=True, eq=False, init=False)
 class QuadMesh:
     """Positions on a connectivity; immutable.
 
@@ -27,9 +25,6 @@ class QuadMesh:
     Raises:
         InputError: wrong shape, a coordinate that is not finite, or faces that are no mesh.
     """
-
-    vertices: FloatArray
-    connectivity: Connectivity
 
     def __init__(self, vertices: ArrayLike, faces: ArrayLike | Connectivity) -> None:
         points = _coordinates(vertices)
@@ -43,8 +38,21 @@ class QuadMesh:
         else:
             net = Connectivity(_numbers(faces), len(points))
         points.setflags(write=False)
-        object.__setattr__(self, "vertices", points)
-        object.__setattr__(self, "connectivity", net)
+        self._vertices, self._connectivity = points, net
+
+    def __repr__(self) -> str:
+        """How large it is."""
+        return f"QuadMesh({len(self.vertices)} vertices, {self.connectivity.face_count} faces)"
+
+    @property
+    def vertices(self) -> FloatArray:
+        """(V, 3) coordinates in the model's unit."""
+        return self._vertices
+
+    @property
+    def connectivity(self) -> Connectivity:
+        """Which vertices its faces have, and all that follows from that."""
+        return self._connectivity
 
     @classmethod
     def from_arrays(cls, vertices: ArrayLike, faces: ArrayLike) -> QuadMesh:

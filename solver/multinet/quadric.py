@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -15,33 +13,28 @@ _ROUNDING = 32 * np.finfo(np.float64).eps
 _BISECTIONS = 200
 
 
-@dataclass(frozen=True, eq=False)
 class Quadric:
-    """Points x with (x - centre)^T S (x - centre) = 1, S = R diag(s) R^T.
+    """Points x with (x - centre)^T S (x - centre) = 1, S = R diag(s) R^T; immutable.
 
     Args:
         curvatures: (3,) eigenvalues s of S, 1 / semi-axis^2, negative along an imaginary axis, zero
             along a cylinder; at least one is positive.
-        rotation: (3, 3) orthogonal matrix R whose columns are the axes.
+        rotation: (3, 3) orthogonal matrix R whose columns are the axes; None for those of space.
         centre: (3,) centre, in the model's unit.
 
     Raises:
         InputError: values that are no quadric.
     """
 
-    curvatures: FloatArray
-    rotation: FloatArray = field(default_factory=lambda: np.eye(3))
-    centre: FloatArray = field(default_factory=lambda: np.zeros(3))
-
-    def __post_init__(self) -> None:
-        for name, shape in (("curvatures", (3,)), ("rotation", (3, 3)), ("centre", (3,))):
-            value = np.array(getattr(self, name), dtype=np.float64)
-            if value.shape != shape or not np.isfinite(value).all():
-                raise InputError(
-                    f"quadric: expected {name} of shape {shape} with finite numbers, got "
-                    f"{value.tolist()}"
-                )
-            object.__setattr__(self, name, value)
+    def __init__(
+        self,
+        curvatures: ArrayLike,
+        rotation: ArrayLike | None = None,
+        centre: ArrayLike = (0.0, 0.0, 0.0),
+    ) -> None:
+        self._curvatures = _numbers("curvatures", curvatures, (3,))
+        self._rotation = _numbers("rotation", np.eye(3) if rotation is None else rotation, (3, 3))
+        self._centre = _numbers("centre", centre, (3,))
         if not np.allclose(self.rotation @ self.rotation.T, np.eye(3), atol=1e-12):
             raise InputError(
                 "quadric: expected orthonormal axes, got a matrix that is no rotation; normalise it"
@@ -51,6 +44,21 @@ class Quadric:
                 "quadric: expected at least one positive eigenvalue, got "
                 f"{self.curvatures.tolist()}, which has no real points; change a sign"
             )
+
+    @property
+    def curvatures(self) -> FloatArray:
+        """(3,) eigenvalues of S."""
+        return self._curvatures
+
+    @property
+    def rotation(self) -> FloatArray:
+        """(3, 3) the axes as columns."""
+        return self._rotation
+
+    @property
+    def centre(self) -> FloatArray:
+        """(3,) where the axes cross, in the model's unit."""
+        return self._centre
 
     @classmethod
     def ellipsoid(
@@ -87,8 +95,7 @@ class Quadric:
                 f"quadric: expected three positive semi-axes, got {lengths.tolist()}; "
                 "the kind of quadric sets the signs"
             )
-        turned = np.eye(3) if rotation is None else np.asarray(rotation, dtype=np.float64)
-        return cls(np.array(signs) / lengths**2, turned, np.asarray(centre, dtype=np.float64))
+        return cls(np.array(signs) / lengths**2, rotation, centre)
 
     @property
     def kind(self) -> str:
@@ -199,3 +206,13 @@ class Quadric:
             lower, upper = np.where(outside, middle, lower), np.where(outside, upper, middle)
         foot = frame / (1.0 + upper[..., None] * s)
         return self.normalised(self.from_frame(foot))
+
+
+def _numbers(name: str, given: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
+    """A copy in numbers of this shape."""
+    value = np.array(given, dtype=np.float64)
+    if value.shape != shape or not np.isfinite(value).all():
+        raise InputError(
+            f"quadric: expected {name} of shape {shape} with finite numbers, got {value.tolist()}"
+        )
+    return value

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from solver.frame.model import Frame, Loads, Stiffness, Supports
+from solver.frame.model import Frame, Loads, Stiffness, Supports, rigid_joints
 from solver.frame.system import System
 
 AREA, ABOUT_Y, ABOUT_Z, TORSION = 1684.0, 2.2e6, 0.9e6, 2.0e6
@@ -17,13 +17,13 @@ def frame(nodes, members, up=(0.0, 0.0, 1.0), springs=None, panels=None, **other
     }  # fmt: skip
     count = len(members)
     ups = np.array(np.broadcast_to(np.asarray(up, dtype=float), (count, 3)))
-    given = {} if springs is None else {"springs": springs}
-    given |= {} if panels is None else {"panels": panels}
+    given = {} if panels is None else {"panels": panels}
     return Frame(
         np.asarray(nodes, dtype=float),
         np.asarray(members),
         Stiffness.same(count, **(sizes | other)),
         ups,
+        rigid_joints(count) if springs is None else springs,
         **given,
     )
 

@@ -237,7 +237,7 @@ def test_what_makes_no_frame_is_refused():
     with pytest.raises(InputError, match="member 0: its section is turned by a direction along"):
         frames.system(frames.straight(1, up=(1.0, 0, 0)), {0: RIGID})
     with pytest.raises(InputError, match="members: expected numbers of nodes from 0 to 1"):
-        Frame(one.nodes, np.array([[0, 2]]), one.stiffness, one.up)
+        Frame(one.nodes, np.array([[0, 2]]), one.stiffness, one.up, one.springs)
     springs = np.full((1, 12), np.inf)
     springs[0, [3, 9]] = 0.0
     with pytest.raises(InputError, match="member 0: moves freely between its nodes"):

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -30,7 +31,7 @@ class CoverPlates:
     """Sizes of all cover plates and arms of a structure.
 
     Args:
-        bolt: their size; where webs have no room for it the next smaller one that they have.
+        wanted: size of the bolts; where webs have no room for it they are smaller, see ``bolt``.
         count: 1 or 2 on each side of a joint, above each other.
         web: thickness of the webs and arms, mm.
         section: width of the beams, mm.
@@ -43,7 +44,7 @@ class CoverPlates:
         InputError: a size that cannot be used, or webs too low for the bolts.
     """
 
-    bolt: Bolt
+    wanted: Bolt
     count: int
     web: float
     section: float
@@ -55,26 +56,29 @@ class CoverPlates:
     def __post_init__(self) -> None:
         if self.diameter is not None:
             check_size("hub diameter", self.diameter)
-        sizes = list(BOLTS.values())
-        while not self.has_room and (place := sizes.index(self.bolt)) > 0:
-            object.__setattr__(self, "bolt", sizes[place - 1])
         if not self.has_room:
             fewer = "one bolt above each other or " if self.count > 1 else ""
             raise InputError(
                 f"bolts: the lowest web is {self.low:.1f} mm high and takes cover plates of "
                 f"{self.height:g} mm, {self.count} of {self.bolt.name}, the smallest, take "
-                f"{self._column:.1f} mm; take {fewer}higher beams"
+                f"{self._column(self.bolt):.1f} mm; take {fewer}higher beams"
             )
+
+    @cached_property
+    def bolt(self) -> Bolt:
+        """The largest size up to the wanted one that webs have room for, else the smallest."""
+        sizes = list(BOLTS.values())
+        smaller = sizes[: sizes.index(self.wanted) + 1][::-1]
+        return next((size for size in smaller if self.height >= self._column(size)), smaller[-1])
 
     @property
     def has_room(self) -> bool:
         """Whether the webs are high enough for the bolts."""
-        return self.height >= self._column
+        return self.height >= self._column(self.bolt)
 
-    @property
-    def _column(self) -> float:
+    def _column(self, bolt: Bolt) -> float:
         """What bolts above each other take, mm."""
-        return 2 * self.bolt.edge + (self.count - 1) * self.bolt.spacing
+        return 2 * bolt.edge + (self.count - 1) * bolt.spacing
 
     @property
     def setback(self) -> float:

@@ -8,6 +8,7 @@ as far back as its worse side needs, so that a laser cuts it and nothing overlap
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -43,6 +44,14 @@ _HOLLOW_WALLS = (
     ((13, 1, 2, 14, 19, 7, 8, 20), BOX_SIDES),
     ((16, 4, 5, 17, 22, 10, 11, 23), BOX_SIDES),
 )
+
+
+class Sizes(NamedTuple):
+    """Sizes of beams, mm: see the settings of the same names."""
+
+    height: float
+    thickness: float
+    section_width: float
 
 
 @dataclass(frozen=True)

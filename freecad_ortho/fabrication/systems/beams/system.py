@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 import numpy as np
@@ -40,7 +40,7 @@ from freecad_ortho.fabrication.systems.beams.options import (
 )
 from freecad_ortho.fabrication.systems.beams.parts import edge_beams, line_beams
 from freecad_ortho.fabrication.systems.beams.rolled import RolledSection
-from freecad_ortho.fabrication.systems.beams.sections import SECTIONS, Section
+from freecad_ortho.fabrication.systems.beams.sections import SECTIONS, Section, Sizes
 from freecad_ortho.fabrication.systems.beams.spliced_parts import spliced_beams
 from freecad_ortho.fabrication.systems.beams.web_holes import refuse_short
 from freecad_ortho.fabrication.systems.edge_beam.hubs import without_hubs
@@ -108,27 +108,17 @@ class Beams(System):
     bolts: int = 2
     hub_wall: float | None = None
 
-    # Words on what was given beside a section of the catalogue, which has it already.
-    unheeded: tuple[str, ...] = field(default=(), init=False, repr=False, compare=False)
-
     trims: ClassVar[bool] = True
     name: ClassVar[str] = "beams"
     options: ClassVar[tuple[Option, ...]] = OPTIONS
 
     def __post_init__(self) -> None:
-        rolled = self._rolled
-        if rolled is not None:
-            own = {"height": rolled.height, "thickness": rolled.profile.wall}
-            own["section_width"] = rolled.overall_width
-            object.__setattr__(self, "unheeded", self._unheeded(own))
-            for name, size in own.items():
-                object.__setattr__(self, name, size)
         check_options(self, self.options)
         if self.ends == "hub":
             check_size("hub diameter", self.across)
         if self.ends == "end-plate":
             _ = self.end_plates
-        if self.ends == "cone" and rolled is None:
+        if self.ends == "cone" and self._rolled is None:
             raise InputError(
                 "ends: cones of ball nodes are those of round tubes, got section "
                 f"{self.section}; take one such as chs:88.9x5, or other ends"
@@ -145,17 +135,24 @@ class Beams(System):
                 "or other ends"
             )
         if isinstance(self.profile, Section):
-            self.profile.refuse_low(self.height)
+            self.profile.refuse_low(self.sizes.height)
 
-    def _unheeded(self, own: Mapping[str, float]) -> tuple[str, ...]:
-        """Words on each size that was given beside a section with sizes of its own, mm."""
+    @property
+    def sizes(self) -> Sizes:
+        """What was given, or what a section of the catalogue has."""
+        if (rolled := self._rolled) is None:
+            return Sizes(self.height, self.thickness, self.section_width)
+        return Sizes(rolled.height, rolled.profile.wall, rolled.overall_width)
+
+    @property
+    def unheeded(self) -> tuple[str, ...]:
+        """Words on each size that was given beside a section with another of its own."""
         usual = {option.name: option.default for option in self.options}
-        given = {name: getattr(self, name) for name in own}
         return tuple(
-            f"beams: {self.section} has a {name.replace('_', ' ')} of {own[name]:g} mm; the "
-            f"{size:g} mm that were given do not count"
-            for name, size in given.items()
-            if size not in (usual[name], own[name])
+            f"beams: {self.section} has a {name.replace('_', ' ')} of {own:g} mm; the "
+            f"{getattr(self, name):g} mm that were given do not count"
+            for name, own in self.sizes._asdict().items()
+            if getattr(self, name) not in (usual[name], own)
         )
 
     @classmethod
@@ -173,7 +170,7 @@ class Beams(System):
     @property
     def levels(self) -> tuple[float, float]:
         """Lower and upper level along the axes, mm from the mesh."""
-        return offset_levels(self.offset, self.height)
+        return offset_levels(self.offset, self.sizes.height)
 
     @property
     def across(self) -> float:
@@ -258,7 +255,9 @@ class Beams(System):
             folded_parts, splices = spliced_beams(site, geometry, bolted, every, lines, border)
             geometry, doubts = replace(geometry, splices=splices), list[str]()
         else:
-            folded_parts, doubts = line_beams(site, geometry, self.thickness, lines, laps, border)
+            folded_parts, doubts = line_beams(
+                site, geometry, self.sizes.thickness, lines, laps, border
+            )
         parts += folded_parts
         report = self._report(site, geometry, parts, wanted)
         report |= {} if misfit is None else misfit_report(misfit)
@@ -322,7 +321,7 @@ class Beams(System):
                 cuts = Cuts(radii + bolted.setback, 0 * cuts.slope)
             return cuts.where(radii > 0, mitred(frames, around)), none, None
         if self.ends == "lapped":
-            laps = half_laps(site, around, self.thickness, self.clearance)
+            laps = half_laps(site, around, self.sizes.thickness, self.clearance)
             return mitred(frames, around), all_edges, laps
         through = runs_through(site.lines, self.ends)
         alone = around_axes(site.mesh, site.axes, frames.along, built & through)
@@ -340,31 +339,31 @@ class Beams(System):
         """How the beams of edges that are built, (E,), are bolted; None where they are not."""
         if self.ends == "end-plate":
             return self.end_plates
-        section, bolt = self.profile, bolt_of(self.bolt)
+        section, bolt, sizes = self.profile, bolt_of(self.bolt), self.sizes
         if self.ends == "cone":
             edges, count = site.mesh.connectivity.edges, len(site.mesh.vertices)
             apart = smallest_angles(frames.along, edges, built, count)
-            return BallJoints(bolt, self.height, self.thickness, apart, self.hub_diameter)
+            return BallJoints(bolt, sizes.height, sizes.thickness, apart, self.hub_diameter)
         if self.ends not in ("cover-plate", *SPLICED) or isinstance(section, RolledSection):
             return None
         rise = frames.rise[built]
-        sizes = (
-            *(bolt, self.bolts, self.thickness, section.overall_width, self.clearance),
-            float(self.height * rise.min()) - sum(section.flanges),
+        plates = (
+            *(bolt, self.bolts, sizes.thickness, section.overall_width, self.clearance),
+            float(sizes.height * rise.min()) - sum(section.flanges),
             float(np.abs(frames.slope[built] / rise[:, None]).max()),
             self.hub_diameter,
         )
         if self.ends in SPLICED:
-            return FinPlates(*sizes, through=runs_through(site.lines, self.ends))
-        return CoverPlates(*sizes)
+            return FinPlates(*plates, through=runs_through(site.lines, self.ends))
+        return CoverPlates(*plates)
 
     def _report(
         self, site: Site, geometry: BeamGeometry, parts: tuple[Part, ...], chosen: BoolArray
     ) -> dict[str, Any]:
         heights = geometry.height[chosen]
         return {
-            "height_mm": self.height,
-            "thickness_mm": self.thickness,
+            "height_mm": self.sizes.height,
+            "thickness_mm": self.sizes.thickness,
             "offset": self.offset,
             "section": self.profile.name or self.section,
             "ends": self.ends,

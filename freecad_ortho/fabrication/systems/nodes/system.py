@@ -214,7 +214,7 @@ class Nodes(System):
         return replace(
             self,
             diameter=self.diameter if ends is None else beams.hub_diameter,
-            height=beams.height,
+            height=beams.sizes.height,
             thickness=beams.profile.overall_width,
             offset=beams.offset,
             clearance=beams.clearance,

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any, ClassVar
 
 import numpy as np
@@ -118,9 +119,6 @@ class Panels(System):
     bend_radius: float | None = None
     k_factor: float = 0.0
 
-    # Words on a gap that was given beside a frame, which makes the joint.
-    unheeded: tuple[str, ...] = field(default=(), init=False, repr=False, compare=False)
-
     trims: ClassVar[bool] = True
     name: ClassVar[str] = "panels"
     options: ClassVar[tuple[Option, ...]] = (
@@ -208,11 +206,8 @@ class Panels(System):
                 "bending: panels that are bent cold pull at structural silicone for ever; hold "
                 "them by frame plate, or leave one of both out"
             )
-        joint = self.framing.joint(self.gap)
-        if self.gap not in (_GAP, joint):
-            words = gap_words(self.framing.width, self.framing.cover, joint, self.gap)
-            object.__setattr__(self, "unheeded", words)
-        object.__setattr__(self, "gap", joint)
+        # Refuses what cannot be held so.
+        _ = self.framing
 
     @classmethod
     def of(cls, values: Mapping[str, Any]) -> Panels:
@@ -222,6 +217,18 @@ class Panels(System):
         names = "gap offset panel_edge at_hubs clearance least_width slivers"
         own = "frame frame_width edge_cover gasket bite bending fold bend_radius k_factor"
         return cls(plate, *(values[name] for name in f"{names} {own}".split()))
+
+    @property
+    def joint(self) -> float:
+        """Between neighbours, mm: the gap, or what a frame makes it."""
+        return self.framing.joint(self.gap)
+
+    @property
+    def unheeded(self) -> tuple[str, ...]:
+        """Words on a gap that was given beside a frame, which makes the joint."""
+        if self.gap in (_GAP, self.joint):
+            return ()
+        return gap_words(self.framing.width, self.framing.cover, self.joint, self.gap)
 
     @property
     def folding(self) -> Fold | None:
@@ -237,7 +244,7 @@ class Panels(System):
         deep = self.fold - self.thickness if self.fold else 0.0
         return self.framing.bed + deep, max(self.framing.depth, deep)
 
-    @property
+    @cached_property
     def framing(self) -> Framing:
         """How the panels are held."""
         return Framing(
@@ -265,7 +272,7 @@ class Panels(System):
         inward = inward_normals(site) if self.edge == "bevel" else None
         whole = np.ones(len(mesh.faces), dtype=bool)
         geometry = panel_geometry(
-            *(mesh, levels, self.gap, beams, inward, self._stands(site, beams)),
+            *(mesh, levels, self.joint, beams, inward, self._stands(site, beams)),
             wanted=whole if site.trimming is None else site.trimming.made,
             bed=self.below[0],
             depth=self.below[1],
@@ -323,7 +330,7 @@ class Panels(System):
         stands = self._stands(site, beams)
 
         def making(same: SameSize) -> PanelGeometry:
-            return panel_geometry(mesh, levels, self.gap, beams, None, stands, same=same)
+            return panel_geometry(mesh, levels, self.joint, beams, None, stands, same=same)
 
         return mixed_panels(self, site, making, beams)
 
@@ -344,7 +351,7 @@ class Panels(System):
         """(F,) least width of each panel on its beams, mm."""
         widths = bearings(site.mesh.connectivity, beams, geometry.lower_edges())
         if edge_beam is not None:
-            widths = np.concatenate([widths, at_the_edge(site, edge_beam, self.gap)], axis=1)
+            widths = np.concatenate([widths, at_the_edge(site, edge_beam, self.joint)], axis=1)
         if site.material.layers:
             widths = widths - site.material.layers[-1].step
         return least_bearing(widths)
@@ -362,12 +369,12 @@ class Panels(System):
         across = neighbours(mesh.connectivity)
         beside = (across >= 0) & made[across]
         normals = geometry.planes.frame[:, 2]
-        closes = closing(normals, inward, beside, self.thickness, self.gap)
+        closes = closing(normals, inward, beside, self.thickness, self.joint)
         if not on_beams:
-            below = closing(-normals, inward, beside, self.thickness, self.gap)
+            below = closing(-normals, inward, beside, self.thickness, self.joint)
             closes = np.minimum(closes, below)
         faces = [part.face for part in parts if part.face is not None]
-        return judged(parts, closes[faces], self.gap)
+        return judged(parts, closes[faces], self.joint)
 
     def _bed(
         self, site: Site, beams: BeamGeometry | None, edge_beam: EdgeGeometry | None

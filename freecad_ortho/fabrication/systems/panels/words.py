@@ -31,7 +31,7 @@ class Settings(Protocol):
         """Of the plates, mm."""
 
     @property
-    def gap(self) -> float:
+    def joint(self) -> float:
         """Between neighbours, mm."""
 
     @property
@@ -55,11 +55,11 @@ def report_of(
     clear = float(geometry.clear[made].min())
     return {
         "thickness_mm": settings.thickness,
-        "gap_mm": settings.gap,
+        "gap_mm": settings.joint,
         "offset": "on the beams" if on_beams else settings.offset,
         "clear_gap_min_mm": clear if np.isfinite(clear) else None,
         "edge": settings.edge,
-        "sides_shrunk_more": int((geometry.sides[made] > settings.gap / 2 * (1 + 1e-9)).sum())
+        "sides_shrunk_more": int((geometry.sides[made] > settings.joint / 2 * (1 + 1e-9)).sum())
         if settings.edge == "square"
         else 0,
         "lift_max_mm": float(geometry.lift[made].max()),
