@@ -15,7 +15,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from freecad_ortho.fabrication import SYSTEMS, Workshop
-from freecad_ortho.fabrication.site import FAMILY_CHOICES
+from freecad_ortho.fabrication.site import FAMILY
 from freecad_ortho.sources import GROUPS, SOURCES
 from freecad_ortho.structural.design import Design
 from solver.nets.options import OPTIONS
@@ -75,8 +75,6 @@ _MORE = {
     "sheet": "tuple[float, float]",
     **dict.fromkeys(("supports", "lift", "foot_at"), "Sequence[int]"),
 }
-# Of all systems, beside their tables.
-_FAMILY = Option("family", "both", "choice", "Parameter lines that are built on", FAMILY_CHOICES)
 # Sources whose functions have names of some options among their own arguments.
 _SOURCES = {
     "PrimitiveOptions": (GROUPS["primitive"], (), "exact surfaces"),
@@ -118,7 +116,7 @@ def text() -> str:
         options = [option for each in sources for option in SOURCES[each].options]
         others = [option for option in options if option.name not in own]
         parts.append(_class(name, f"Options of {words}.", others))
-    words = [*systems, *Workshop.options, SOURCES["elliptic multi-net"].option("moving"), _FAMILY]
+    words = [*systems, *Workshop.options, SOURCES["elliptic multi-net"].option("moving"), FAMILY]
     return "\n\n\n".join([_HEAD.rstrip("\n") + _words(words), *parts]) + "\n"
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal, NamedTuple
 
@@ -217,10 +217,8 @@ class Option:
             InputError: naming the option, what was expected and what came.
         """
         own = bool(self.examples) and isinstance(value, str)
-        if self.kind == "choice" and value not in self.choices and not own:
-            *others, last = self.choices
-            words = f"{', '.join(others)} or {last}"
-            raise InputError(f"{self.words_of_name}: expected {words}, got {str(value)[:40]!r}")
+        if self.kind == "choice" and not own:
+            one_of(self.words_of_name, value, self.choices)
         if self.kind == "flag" and not isinstance(value, (bool, np.bool_)):
             raise InputError(f"{self.words_of_name}: expected True or False, got {value!r}")
         if self.kind == "text" and not isinstance(value, str):
@@ -242,6 +240,17 @@ class Option:
             raise InputError(
                 f"{self.words_of_name}: expected {'a whole number, ' * whole}{words}, got {value!r}"
             )
+
+
+def one_of(name: str, word: object, words: Collection[str]) -> None:
+    """Refuse a word that is none of those there are.
+
+    Raises:
+        InputError: naming them.
+    """
+    if word not in words:
+        *others, last = words
+        raise InputError(f"{name}: expected {', '.join(others)} or {last}, got {str(word)[:40]!r}")
 
 
 def _is_number(value: Any) -> bool:

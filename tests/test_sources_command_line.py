@@ -233,7 +233,10 @@ def test_formfind_from_flat_to_minimal(tmp_path, capsys):
     ("words", "expected"),
     [
         ("multinet --axes 9,5 --moving mu --sampling 4x4", "--axes: expected 3 finite numbers"),
-        ("multinet --axes 5,9,2 --moving mu --sampling 4x4", "axes: expected a > b > c > 0"),
+        (
+            "multinet --axes 5,9,2 --moving mu --sampling 4x4",
+            "semi axes: expected three different ones, the largest first",
+        ),
         (
             "multinet --axes 9,5,2 --moving rho --sampling 4x4",
             "--moving: expected lambda, mu or nu",

@@ -21,8 +21,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from freecad_ortho.fabrication.sizes import one_of
 from solver.errors import InputError
+from solver.option import one_of
 
 HEADS = "EN ISO 4017"
 WASHERS = "EN ISO 7089"

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from freecad_ortho.fabrication.sizes import one_of
 from solver.errors import InputError
+from solver.option import one_of
 
 # Width and height, mm (ISO 216); A4 upright, the larger ones across, as they are folded.
 PAPERS = {

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from freecad_ortho.fabrication.sizes import one_of
+from solver.option import one_of
 
 LAYOUTS = ("blocks", "flat", "parts")
 # By what the user calls them and what the library does.

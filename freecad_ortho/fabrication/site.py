@@ -16,8 +16,11 @@ from solver.mesh.connectivity import BoolArray
 from solver.mesh.lines import FAMILIES, ParameterLine, ParameterLines
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.offset.axes import Axes, torsion_free_axes
+from solver.option import Option
 
 FAMILY_CHOICES = (*FAMILIES, "both")
+# Of all systems, beside their tables.
+FAMILY = Option("family", "both", "choice", "Parameter lines that are built on", FAMILY_CHOICES)
 Geometry = TypeVar("Geometry")
 # The CAD kernel tells points apart that are 1e-7 mm from each other; far longer edges lose that.
 _LONGEST_EDGE = 1e6
@@ -39,10 +42,7 @@ class Selection:
     lines: tuple[int, ...] | None = None
 
     def __post_init__(self) -> None:
-        if self.family not in FAMILY_CHOICES:
-            raise InputError(
-                f"family: expected one of {', '.join(FAMILY_CHOICES)}, got '{self.family}'"
-            )
+        FAMILY.check(self.family)
         if self.lines is not None and (not self.lines or min(self.lines) < 0):
             raise InputError(
                 f"lines: expected numbers from 0 on, got {list(self.lines)}; name at least one"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterable
+from collections.abc import Iterable
 from dataclasses import fields
 from typing import TYPE_CHECKING
 
@@ -69,17 +69,6 @@ def check_options(settings: DataclassInstance, options: Iterable[Option], **name
         option.check(value)
         if option.kind == "length" and option.range is POSITIVE:
             check_size(option.words_of_name, value)
-
-
-def one_of(name: str, word: str, words: Collection[str]) -> None:
-    """Refuse a word that is none of those there are.
-
-    Raises:
-        InputError: naming them.
-    """
-    if word not in words:
-        *others, last = words
-        raise InputError(f"{name}: expected {', '.join(others)} or {last}, got '{word}'")
 
 
 def offset_levels(offset: str, size: float) -> tuple[float, float]:

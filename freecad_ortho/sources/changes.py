@@ -15,7 +15,7 @@ from solver.mesh import coarsen, diagonal, mirror, subdivide, transform
 from solver.mesh.dual import christoffel_dual
 from solver.mesh.quadmesh import QuadMesh
 from solver.offset.offset_mesh import KINDS, offset_mesh
-from solver.option import POSITIVE, Former, Option, Range
+from solver.option import POSITIVE, Former, Option
 
 # Edges of a dual that miss by this part of the mean one are rounding.
 _DUAL = 1e-7
@@ -158,8 +158,7 @@ CHANGES = (
         "subdivide",
         "Four faces for each, parameter lines kept",
         (
-            Option("levels", 1, "count",
-                   "So many times four faces are made of one", within=Range(1)),
+            subdivide.LEVELS,
             Option("rule", "plain", "choice", "New vertices lie in the middle, or all are smoothed",
                    ("plain", "catmull-clark")),
         ),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, TypedDict
 
 import numpy as np
@@ -10,14 +11,14 @@ from numpy.typing import ArrayLike
 from freecad_ortho.sources.placing import PLACEMENT, Placing, placed
 from freecad_ortho.sources.primitives import roots, sampling
 from freecad_ortho.sources.source import Made, Source
-from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray
 from solver.multinet import MultiNet, Quadric, elliptic_net, multi_net, reflected
-from solver.multinet.elliptic import COORDINATES, EllipticSystem
+from solver.multinet.elliptic import COORDINATES, EllipticSystem, refuse_unsorted
 from solver.multinet.formula import formula
 from solver.multinet.net import SPACING
 from solver.multinet.polyline import Spline
-from solver.multinet.presets import PRESETS
+from solver.multinet.presets import PRESETS, preset
+from solver.multinet.quadric import SEMI_AXES
 from solver.option import Former, Option
 
 if TYPE_CHECKING:
@@ -39,7 +40,6 @@ _T_RANGE = Option(
     "The net goes from the first to the second t; with 0 and 0 it keeps clear of both ends",
     written="T0,T1", former=Former("range"),
 )  # fmt: skip
-_SEMI_AXES = (9000.0, 6500.0, 4000.0)
 _REFLECT = Option(
     "reflect",
     "",
@@ -57,11 +57,7 @@ def quadric_of(quadric: str, semi_axes: ArrayLike, placement: Placing) -> Quadri
     """
     _QUADRIC.check(quadric)
     lengths = np.asarray(semi_axes, dtype=np.float64)
-    if lengths.shape != (3,) or not (np.isfinite(lengths) & (lengths > 0)).all():
-        raise InputError(
-            f"semi-axes: expected three positive lengths, got {list(lengths)}; the kind of quadric "
-            "sets the signs"
-        )
+    SEMI_AXES.check(tuple(lengths.tolist()))
     return Quadric(np.array(QUADRICS[quadric]) / lengths**2, *placement)
 
 
@@ -136,6 +132,7 @@ def _elliptic(
     sampling: tuple[int, int], t_range: tuple[float, float], spacing: str, reflect: str,
     **curve: Unpack[Curve],
 ) -> Made:  # fmt: skip
+    refuse_unsorted(semi_axes)
     net = elliptic(tuple(float(length) ** 2 for length in semi_axes), **curve)
     made = _finished(net, unit, sampling, t_range, spacing, reflect)
     return Made(placed(made.mesh, placement), made.remarks)
@@ -184,7 +181,7 @@ def elliptic(
         spline = Spline(coordinates[:, :2], closed)
         return elliptic_net(squares, moving, lambda s: tuple(spline(s).T), closed=closed)
     if curve != _FORMULAS:
-        chosen = PRESETS[curve]
+        chosen = preset(curve)
         return elliptic_net(squares, moving, chosen.curve, unfolded=True, closed=chosen.closed)
     names = dict(zip("abc", squares, strict=True))
     one, two = (formula(text, ("s", "a", "b", "c")) for text in (first_formula, second_formula))
@@ -209,8 +206,7 @@ MULTI_NET = Source(
     "Orthogonal multi-net of a polyline drawn on a quadric",
     (
         _QUADRIC,
-        Option("semi_axes", _SEMI_AXES, "length", "The semi-axes of the quadric are this long",
-               written="A,B,C", former=Former("axes", roots)),
+        replace(SEMI_AXES, former=Former("axes", roots)),
         sampling(24, 12),
         _T_RANGE,
         SPACING,
@@ -229,9 +225,8 @@ ELLIPTIC_NET = Source(
     "elliptic multi-net",
     "Orthogonal multi-net in elliptic coordinates",
     (
-        Option("semi_axes", _SEMI_AXES, "length",
-               "The semi-axes of lambda = 0 are this long, the largest comes first",
-               written="A,B,C", former=Former("axes", roots)),
+        replace(SEMI_AXES, former=Former("axes", roots),
+                meaning="The semi-axes of lambda = 0 are this long, the largest comes first"),
         Option("moving", "lambda", "choice", "This elliptic coordinate has the role of t",
                ("lambda", "mu", "nu")),
         Option("curve", "wave", "choice", "The two other coordinates follow this curve",

@@ -16,6 +16,7 @@ from solver.linear.guarded import GuardedRslab
 from solver.linear.multifrontal import Multifrontal
 from solver.linear.sparsity import Sparsity
 from solver.mesh.quadmesh import FloatArray
+from solver.option import one_of
 
 BACKENDS = ("scipy", "rslab")
 
@@ -46,8 +47,7 @@ def symmetric_solver(sparsity: Sparsity, backend: str) -> SymmetricSolver:
     Raises:
         InputError: the named backend is unknown or not installed.
     """
-    if backend not in BACKENDS:
-        raise InputError(f"sparse solver: expected one of {', '.join(BACKENDS)}, got '{backend}'")
+    one_of("sparse solver", backend, BACKENDS)
     if backend == "rslab" and not _rslab_installed():
         raise InputError("sparse solver: rslab is not installed; pip install rslab, or use scipy")
     return GuardedRslab(sparsity) if backend == "rslab" else Multifrontal(sparsity)

@@ -8,7 +8,9 @@ from scipy.sparse import coo_array
 from solver.errors import InputError
 from solver.mesh.connectivity import Connectivity, IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.option import Option, Range
 
+LEVELS = Option("levels", 1, "count", "So many times four faces are made of one", within=Range(1))
 # More is a slip of the hand, and would fill the memory.
 _MOST_FACES = 4_000_000
 
@@ -55,8 +57,7 @@ def catmull_clark(mesh: QuadMesh, levels: int = 1) -> QuadMesh:
 
 
 def _levels(mesh: QuadMesh, levels: int) -> int:
-    if levels < 1:
-        raise InputError(f"levels: expected at least 1, got {levels}")
+    LEVELS.check(levels)
     if len(mesh.faces) * 4.0**levels > _MOST_FACES:
         raise InputError(
             f"levels: {levels} would give {len(mesh.faces) * 4.0**levels:.3g} faces, more than "

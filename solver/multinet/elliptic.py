@@ -11,7 +11,8 @@ from numpy.typing import ArrayLike
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray
 from solver.multinet.net import MultiNet
-from solver.multinet.quadric import Quadric
+from solver.multinet.quadric import SEMI_AXES, Quadric
+from solver.option import one_of
 
 COORDINATES = ("lambda", "mu", "nu")
 # (n,) parameters to (n,) values of the first and the second of the two coordinates that stay.
@@ -50,8 +51,7 @@ class EllipticSystem:
 
     def bounds(self, coordinate: str) -> tuple[float, float]:
         """Smallest and largest value of lambda, mu or nu."""
-        if coordinate not in COORDINATES:
-            raise InputError(f"moving: expected lambda, mu or nu, got '{coordinate}'")
+        one_of("moving", coordinate, COORDINATES)
         limits = {"lambda": (-self.c, float("inf")), "mu": (-self.b, -self.c)}
         return limits.get(coordinate, (-self.a, -self.b))
 
@@ -127,6 +127,22 @@ class EllipticSystem:
         """(n, 3) points with the moving coordinate at ``base`` and signed factors of the others."""
         own = np.sqrt(np.abs(self.squares + base))
         return own * factors[0] * factors[1] / np.sqrt(np.abs(self._denominators))
+
+
+def refuse_unsorted(semi_axes: ArrayLike) -> None:
+    """Refuse (3,) semi-axes that are not positive, or do not fall.
+
+    Raises:
+        InputError: saying what came.
+    """
+    lengths = tuple(np.asarray(semi_axes, dtype=np.float64).tolist())
+    SEMI_AXES.check(lengths, unit="")
+    if not lengths[0] > lengths[1] > lengths[2]:
+        raise InputError(
+            "semi axes: expected three different ones, the largest first, got "
+            f"{', '.join(f'{length:g}' for length in lengths)}; sort them, and keep them apart, as "
+            "two equal ones make a rotational surface"
+        )
 
 
 def others(moving: str) -> tuple[str, str]:

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray
 from solver.multinet.elliptic import CoordinateCurve
+from solver.option import one_of
 
 
 def _straight(s: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -66,6 +66,5 @@ def preset(name: str) -> Preset:
     Raises:
         InputError: no such preset.
     """
-    if name not in PRESETS:
-        raise InputError(f"curve: expected one of {', '.join(PRESETS)}, got '{name}'")
+    one_of("curve", name, PRESETS)
     return PRESETS[name]

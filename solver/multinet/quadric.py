@@ -7,10 +7,22 @@ from numpy.typing import ArrayLike
 
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray
+from solver.option import POSITIVE, Option
 
 # Parts of 1 below which 1 + t s counts as zero: the rounding of one sum and one product.
 _ROUNDING = 32 * np.finfo(np.float64).eps
 _BISECTIONS = 200
+# In mm, as all options.
+SEMI_AXES = Option(
+    *(
+        "semi_axes",
+        (9000.0, 6500.0, 4000.0),
+        "length",
+        "The semi-axes of the quadric are this long",
+    ),
+    written="A,B,C",
+    within=POSITIVE,
+)
 
 
 class Quadric:
@@ -90,11 +102,7 @@ class Quadric:
         centre: ArrayLike,
     ) -> Quadric:
         lengths = np.asarray(semi_axes, dtype=np.float64)
-        if lengths.shape != (3,) or not (lengths > 0).all():
-            raise InputError(
-                f"quadric: expected three positive semi-axes, got {lengths.tolist()}; "
-                "the kind of quadric sets the signs"
-            )
+        SEMI_AXES.check(tuple(lengths.tolist()), unit="")
         return cls(np.array(signs) / lengths**2, rotation, centre)
 
     @property

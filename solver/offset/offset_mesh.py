@@ -33,6 +33,7 @@ from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh, refuse_other, unit_rows
 from solver.offset.axes import torsion_free_axes
 from solver.offset.parallelism import apply, edge_weights, factorised, projections
+from solver.option import one_of
 
 # What is held constant, and the net that allows it.
 KINDS = {
@@ -122,8 +123,7 @@ def offset_mesh(mesh: QuadMesh, distance: float, kind: str = "parallel") -> Offs
             of the offset mesh vanishes.
     """
     refuse_other(mesh)
-    if kind not in KINDS:
-        raise InputError(f"kind: expected one of {', '.join(KINDS)}, got '{kind}'")
+    one_of("kind", kind, KINDS)
     if isinstance(distance, bool) or not np.isfinite(distance) or distance == 0:
         raise InputError(f"distance: expected a finite number other than 0, got {distance}")
     start, end = mesh.connectivity.edges.T

@@ -103,5 +103,5 @@ def test_solvers_solve(system, backend):
 
 
 def test_unknown_solver_is_refused(system):
-    with pytest.raises(InputError, match="expected one of scipy, rslab"):
+    with pytest.raises(InputError, match="sparse solver: expected scipy or rslab"):
         symmetric_solver(system[0].sparsity, "magic")

@@ -8,7 +8,7 @@ from solver.errors import InputError
 from solver.mesh.grid import grid_mesh
 from solver.mesh.primitives.limits import between
 from solver.mesh.quadmesh import FloatArray, QuadMesh
-from solver.multinet.elliptic import elliptic_net
+from solver.multinet.elliptic import elliptic_net, refuse_unsorted
 
 
 def ellipsoid(
@@ -33,12 +33,8 @@ def ellipsoid(
         InputError: semi-axes that are not three different decreasing lengths, or a clearance
             outside 0 to 0.5.
     """
+    refuse_unsorted(semi_axes)
     first, second, third = semi_axes
-    if not first > second > third > 0:
-        raise InputError(
-            f"semi_axes: expected three different lengths, largest first, got {semi_axes}; "
-            "two equal ones make a rotational surface"
-        )
     between(0.0, 0.5, clear=clear)
     axes = first**2, second**2, third**2
     # Lines of constant nu run around x, through all four quarters of mu.

@@ -180,7 +180,7 @@ def test_bad_distances_are_refused():
     for distance in (0, np.nan, np.inf, True):
         with pytest.raises(InputError, match="distance"):
             offset_mesh(mesh, distance)
-    with pytest.raises(InputError, match="kind: expected one of parallel, vertex, edge, face"):
+    with pytest.raises(InputError, match="kind: expected parallel, vertex, edge or face, got"):
         offset_mesh(mesh, 0.1, "sideways")
     with pytest.raises(InputError, match="folds the offset mesh at edge") as caught:
         offset_mesh(mesh, -9.0)

@@ -13,10 +13,10 @@ from typing import NamedTuple
 import numpy as np
 
 from freecad_ortho.fabrication.bodies import BOX_SIDES, Body, Hollow, Loops, Polyhedron
-from freecad_ortho.fabrication.sizes import one_of
 from freecad_ortho.fabrication.systems.beams.geometry import LOOPS, BeamGeometry
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray
+from solver.option import one_of
 
 # Sections with sizes of their own; all others are those of ``fabrication/profiles/catalogue.py``.
 SECTIONS = ("plate", "hollow", "I", "T")

@@ -8,9 +8,10 @@ import numpy as np
 
 from freecad_ortho.fabrication.bodies import BOX_SIDES, Body, Hollow, Polyhedron
 from freecad_ortho.fabrication.round_tube import RoundTube
-from freecad_ortho.fabrication.sizes import check_size, one_of
+from freecad_ortho.fabrication.sizes import check_size
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray
+from solver.option import one_of
 
 SECTIONS = ("plate", "tube", "round", "strip")
 

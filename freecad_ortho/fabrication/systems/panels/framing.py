@@ -10,7 +10,6 @@ from typing import Any
 from freecad_ortho.fabrication.fasteners import Supply
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.site import Site
-from freecad_ortho.fabrication.sizes import one_of
 from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
 from freecad_ortho.fabrication.systems.panels.blocks import (
     block_parts,
@@ -25,6 +24,7 @@ from freecad_ortho.fabrication.systems.panels.silicone import Silicone, silicone
 from freecad_ortho.fabrication.systems.system import Table
 from freecad_ortho.words import counted
 from solver.mesh.quadmesh import FloatArray
+from solver.option import one_of
 
 FRAMES = ("none", "plate", "silicone")
 # Usual sizes of pressure plates, and of what they cover of the panels, mm.
