@@ -15,7 +15,7 @@ from freecad_ortho.structural.stances import axes_of, heights_of
 from freecad_ortho.structural.supports import supports_of
 from solver.errors import InputError
 from solver.frame.model import Frame, Loads, Stiffness, Supports
-from solver.frame.panels import Panels
+from solver.frame.panels import ShearPanels
 from solver.mesh.connectivity import IntArray
 from solver.mesh.lines import ParameterLines
 from solver.mesh.quadmesh import FloatArray, QuadMesh
@@ -162,10 +162,10 @@ def _frame(mesh: QuadMesh, groups: Sequence[Group], design: Design) -> Frame:
         shear_area_y=each(lambda group: group.profile.shear_area_y),
         shear_area_z=each(lambda group: group.profile.shear_area_z),
     )
-    panels = Panels()
+    panels = ShearPanels()
     if design.panel_shear:
         faces = np.asarray(mesh.faces)
-        panels = Panels.of_shear(mesh.vertices, faces, 1000.0 * design.panel_shear)
+        panels = ShearPanels.of_shear(mesh.vertices, faces, 1000.0 * design.panel_shear)
     up = heights_of(mesh, axes, design.position)
     on_net = Frame(mesh.vertices, members, stiffness, up, springs, panels)
     return off_the_net(on_net, mesh, axes, design)

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, fields, replace
 import numpy as np
 
 from solver.errors import InputError
-from solver.frame.panels import Panels
+from solver.frame.panels import ShearPanels
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray, row_lengths
 
@@ -92,7 +92,7 @@ class Frame:
     stiffness: Stiffness
     up: FloatArray
     springs: FloatArray
-    panels: Panels = field(default_factory=Panels)
+    panels: ShearPanels = field(default_factory=ShearPanels)
 
     def __post_init__(self) -> None:
         count = len(self.members)

@@ -18,7 +18,7 @@ _DIAGONALS = ((0, 2), (1, 3))
 
 
 @dataclass(frozen=True, eq=False)
-class Panels:
+class ShearPanels:
     """Shear panels between four nodes each.
 
     Args:
@@ -31,7 +31,7 @@ class Panels:
     stiffness: FloatArray = field(default_factory=lambda: np.empty(0))
 
     @classmethod
-    def of_shear(cls, nodes: FloatArray, corners: IntArray, stiffness: float) -> Panels:
+    def of_shear(cls, nodes: FloatArray, corners: IntArray, stiffness: float) -> ShearPanels:
         """Panels of a shear stiffness G t each, by their size.
 
         A rectangle a x b with diagonals d is sheared by q along a as G t asks where the spring has

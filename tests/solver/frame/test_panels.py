@@ -6,7 +6,7 @@ import pytest
 from solver.frame import corotational
 from solver.frame.buckling import buckling
 from solver.frame.model import Loads
-from solver.frame.panels import Panels
+from solver.frame.panels import ShearPanels
 from solver.frame.response import imbalance, response
 from solver.frame.second_order import second_order
 from tests.solver.frame import frames
@@ -14,12 +14,12 @@ from tests.solver.frame import frames
 WIDE, HIGH, SHEAR = 2000.0, 1500.0, 12_000.0
 NODES = np.array([[0.0, 0, 0], [WIDE, 0, 0], [WIDE, 0, HIGH], [0, 0, HIGH]])
 CORNERS = np.array([[0, 1, 2, 3]])
-PANEL = Panels.of_shear(NODES, CORNERS, SHEAR)
+PANEL = ShearPanels.of_shear(NODES, CORNERS, SHEAR)
 
 
 def bay(stiffness=SHEAR, **other):
     """Four bars between hinges, which would sway, with a panel in them."""
-    panels = Panels.of_shear(NODES, CORNERS, stiffness)
+    panels = ShearPanels.of_shear(NODES, CORNERS, stiffness)
     bars = [(0, 1), (1, 2), (2, 3), (3, 0)]
     sizes = {"up": (0, 1, 0), "springs": frames.hinged(4), **other}
     return frames.frame(NODES, bars, panels=panels, **sizes)
@@ -86,7 +86,7 @@ def test_supports_that_slide_aslant_feel_the_panel_too():
     moved = []
     for rotation in (np.eye(3), turn):
         nodes = NODES @ rotation.T
-        panels = Panels.of_shear(nodes, CORNERS, SHEAR)
+        panels = ShearPanels.of_shear(nodes, CORNERS, SHEAR)
         bars = [(0, 1), (1, 2), (2, 3), (3, 0)]
         built = frames.frame(
             nodes, bars, up=rotation @ [0.0, 1.0, 0.0], springs=frames.hinged(4), panels=panels

@@ -46,8 +46,8 @@ _HOLLOW_WALLS = (
 )
 
 
-class Sizes(NamedTuple):
-    """Sizes of beams, mm: see the settings of the same names."""
+class BeamSizes(NamedTuple):
+    """BeamSizes of beams, mm: see the settings of the same names."""
 
     height: float
     thickness: float

@@ -40,7 +40,7 @@ from freecad_ortho.fabrication.systems.beams.options import (
 )
 from freecad_ortho.fabrication.systems.beams.parts import edge_beams, line_beams
 from freecad_ortho.fabrication.systems.beams.rolled import RolledSection
-from freecad_ortho.fabrication.systems.beams.sections import SECTIONS, Section, Sizes
+from freecad_ortho.fabrication.systems.beams.sections import SECTIONS, BeamSizes, Section
 from freecad_ortho.fabrication.systems.beams.spliced_parts import spliced_beams
 from freecad_ortho.fabrication.systems.beams.web_holes import refuse_short
 from freecad_ortho.fabrication.systems.edge_beam.hubs import without_hubs
@@ -138,11 +138,11 @@ class Beams(System):
             self.profile.refuse_low(self.sizes.height)
 
     @property
-    def sizes(self) -> Sizes:
+    def sizes(self) -> BeamSizes:
         """What was given, or what a section of the catalogue has."""
         if (rolled := self._rolled) is None:
-            return Sizes(self.height, self.thickness, self.section_width)
-        return Sizes(rolled.height, rolled.profile.wall, rolled.overall_width)
+            return BeamSizes(self.height, self.thickness, self.section_width)
+        return BeamSizes(rolled.height, rolled.profile.wall, rolled.overall_width)
 
     @property
     def unheeded(self) -> tuple[str, ...]:
@@ -179,7 +179,7 @@ class Beams(System):
 
     @property
     def end_plates(self) -> EndPlates:
-        """Sizes of the end plates and their hubs.
+        """BeamSizes of the end plates and their hubs.
 
         Raises:
             InputError: a size that cannot be used.
