@@ -6,10 +6,6 @@ Run with the project's Python:  python scripts/docs_details.py [table | NAME ...
 
 from __future__ import annotations
 
-import json
-import os
-import shutil
-import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator, Mapping
@@ -340,22 +336,12 @@ def write_table() -> None:
 
 def draw(names: list[str]) -> None:
     """Have FreeCAD draw details from near."""
-    from docs_pictures import shrink
+    from docs_pictures import draw_in_freecad, shrink
 
     PICTURES.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as folder:
         order = {"paths": [str(ROOT), str(ROOT / "scripts")], "names": names, "folder": folder}
-        command = [shutil.which("freecad") or "FreeCAD"]
-        command.append(str(ROOT / "scripts" / "docs_details_freecad.py"))
-        if screen := shutil.which("xvfb-run"):
-            command = [screen, "-a", "-s", "-screen 0 1400x900x24", *command]
-        environment = {
-            **os.environ,
-            "FREECAD_USER_HOME": folder,
-            "QTWEBENGINE_DISABLE_SANDBOX": "1",
-            "ORTHO_DOCS": json.dumps(order),
-        }
-        subprocess.run(command, env=environment, check=True, timeout=900, stdout=subprocess.DEVNULL)
+        draw_in_freecad("docs_details_freecad.py", order, Path(folder), seconds=900)
         for name in names:
             shrink(Path(folder) / f"{name}.png", PICTURES / f"{name}.png", 800)
 

@@ -5,16 +5,12 @@ Run with the project's Python:  python scripts/docs_nodes.py [KIND ...]
 
 from __future__ import annotations
 
-import json
-import os
-import shutil
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
 from typing import Any
 
-from docs_pictures import PICTURES, ROOT, api, shrink
+from docs_pictures import PICTURES, ROOT, api, draw_in_freecad, shrink
 
 # Beams at the node of each kind.
 KINDS: dict[str, dict[str, Any]] = {
@@ -47,17 +43,7 @@ def draw(kind: str, folder: Path) -> None:
         "reach": REACH,
         "picture": str(folder / f"{kind}.png"),
     }
-    script = str(ROOT / "scripts" / "docs_nodes_freecad.py")
-    command = [shutil.which("freecad") or "FreeCAD", script]
-    if screen := shutil.which("xvfb-run"):
-        command = [screen, "-a", "-s", "-screen 0 1400x900x24", *command]
-    environment = {
-        **os.environ,
-        "FREECAD_USER_HOME": str(folder),
-        "QTWEBENGINE_DISABLE_SANDBOX": "1",
-        "ORTHO_DOCS": json.dumps(order),
-    }
-    subprocess.run(command, env=environment, check=True, timeout=900, stdout=subprocess.DEVNULL)
+    draw_in_freecad("docs_nodes_freecad.py", order, folder, seconds=900)
     shrink(folder / f"{kind}.png", PICTURES / f"node-{kind}.png", 800)
 
 

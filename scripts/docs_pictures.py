@@ -12,6 +12,7 @@ import subprocess
 import sys
 import tempfile
 from pathlib import Path
+from typing import Any
 
 import ezdxf
 import matplotlib
@@ -130,6 +131,27 @@ def size(
     axes.text(*place, name, color=INK, ha=side)
 
 
+def draw_in_freecad(script: str, order: dict[str, Any], folder: Path, seconds: float) -> None:
+    """Run a script that draws in FreeCAD's window, on a screen of its own where there can be one.
+
+    Args:
+        script: its name, in this folder.
+        order: what it is to draw.
+        folder: of FreeCAD's settings.
+        seconds: that it may take.
+    """
+    command = [shutil.which("freecad") or "FreeCAD", str(ROOT / "scripts" / script)]
+    if screen := shutil.which("xvfb-run"):
+        command = [screen, "-a", "-s", "-screen 0 1400x900x24", *command]
+    environment = {
+        **os.environ,
+        "FREECAD_USER_HOME": str(folder),
+        "QTWEBENGINE_DISABLE_SANDBOX": "1",
+        "ORTHO_DOCS": json.dumps(order),
+    }
+    subprocess.run(command, env=environment, check=True, timeout=seconds, stdout=subprocess.DEVNULL)
+
+
 def corner(principal: Path, folder: Path) -> None:
     """Have FreeCAD draw a patch of the roof from near."""
     mesh = api.read_mesh(principal).mesh
@@ -147,16 +169,7 @@ def corner(principal: Path, folder: Path) -> None:
         "panels": [number for number in range(len(chosen)) if number not in BARE],
         "picture": str(folder / "corner.png"),
     }
-    command = [shutil.which("freecad") or "FreeCAD", str(ROOT / "scripts" / "docs_corner.py")]
-    if screen := shutil.which("xvfb-run"):
-        command = [screen, "-a", "-s", "-screen 0 1400x900x24", *command]
-    environment = {
-        **os.environ,
-        "FREECAD_USER_HOME": str(folder),
-        "QTWEBENGINE_DISABLE_SANDBOX": "1",
-        "ORTHO_DOCS": json.dumps(order),
-    }
-    subprocess.run(command, env=environment, check=True, timeout=300, stdout=subprocess.DEVNULL)
+    draw_in_freecad("docs_corner.py", order, folder, seconds=300)
     shrink(folder / "corner.png", PICTURES / "corner.png", 1000)
 
 

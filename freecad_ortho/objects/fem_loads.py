@@ -7,7 +7,7 @@ from typing import Any
 import FreeCAD
 
 from freecad_ortho import convert
-from freecad_ortho.objects.properties import HIDDEN, OUTPUT, Persistent, Property
+from freecad_ortho.objects.properties import HIDDEN, Persistent, Property, version_of
 from solver.mesh.quadmesh import FloatArray
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -42,14 +42,7 @@ class NodeLoads(Persistent):
             QT_TRANSLATE_NOOP("App::Property", "Force on each node of the mesh, N"),
             flags=HIDDEN,
         ),
-        Property(
-            "App::PropertyInteger",
-            "Version",
-            _GROUP,
-            QT_TRANSLATE_NOOP("App::Property", "Version of this object's properties"),
-            default=VERSION,
-            flags=OUTPUT | HIDDEN,
-        ),
+        version_of(_GROUP, VERSION),
     )
 
     def execute(self, feature: FreeCAD.DocumentObject) -> None:

@@ -16,7 +16,7 @@ from freecad_ortho.fabrication.kerf import compensated
 from freecad_ortho.fabrication.nesting import Nesting, nest, too_large_words
 from freecad_ortho.fabrication.workshop import ON_SHEETS
 from freecad_ortho.objects import build, drawings, option_properties, outdated
-from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Property
+from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Property, version_of
 from freecad_ortho.objects.structure import is_structure
 from solver.errors import InputError
 
@@ -93,14 +93,7 @@ _PROPERTIES = (
         QT_TRANSLATE_NOOP("App::Property", "Part of the sheets that is left over, 0 to 1"),
         flags=OUTPUT | READ_ONLY,
     ),
-    Property(
-        "App::PropertyInteger",
-        "Version",
-        "Flat patterns",
-        QT_TRANSLATE_NOOP("App::Property", "Version of this object's properties"),
-        default=VERSION,
-        flags=OUTPUT | HIDDEN,
-    ),
+    version_of("Flat patterns", VERSION),
 )
 
 

@@ -9,7 +9,14 @@ import FreeCAD
 
 from freecad_ortho import answers, convert
 from freecad_ortho.objects import net_settings
-from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Persistent, Property
+from freecad_ortho.objects.properties import (
+    HIDDEN,
+    OUTPUT,
+    READ_ONLY,
+    Persistent,
+    Property,
+    version_of,
+)
 from solver.analysis.fields import fields
 from solver.nets import NETS
 from solver.report import CONVERGED
@@ -114,14 +121,7 @@ NET_PROPERTIES = (
         QT_TRANSLATE_NOOP("App::Property", "Report of the last optimisation, as JSON"),
         flags=OUTPUT | READ_ONLY,
     ),
-    Property(
-        "App::PropertyInteger",
-        "Version",
-        "Net",
-        QT_TRANSLATE_NOOP("App::Property", "Version of this object's properties"),
-        default=VERSION,
-        flags=OUTPUT | HIDDEN,
-    ),
+    version_of("Net", VERSION),
     *net_settings.ALL,
 )
 

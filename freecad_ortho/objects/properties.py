@@ -6,6 +6,10 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+import FreeCAD
+
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+
 READ_ONLY = 1
 HIDDEN = 4
 # Does not make the object (and what follows from it) stale: how a net is shown, what was reported.
@@ -33,6 +37,13 @@ class Property:
     default: Any = None
     choices: Collection[str] = ()
     flags: int = 0
+
+
+def version_of(group: str, version: int) -> Property:
+    """The property that says how an object was made, for later versions to bring it up to date."""
+    tooltip = QT_TRANSLATE_NOOP("App::Property", "Version of this object's properties")
+    flags = OUTPUT | HIDDEN
+    return Property("App::PropertyInteger", "Version", group, tooltip, version, flags=flags)
 
 
 def ensure(owner: Any, properties: Sequence[Property]) -> None:

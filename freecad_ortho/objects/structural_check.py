@@ -17,7 +17,7 @@ from freecad_ortho.objects.check_results import RESULTS, store
 from freecad_ortho.objects.kinds import BEAMS, LAMELLAS, TITLES, is_structure
 from freecad_ortho.objects.net import is_net
 from freecad_ortho.objects.option_properties import properties, read, stored
-from freecad_ortho.objects.properties import HIDDEN, OUTPUT, Property
+from freecad_ortho.objects.properties import Property, version_of
 from freecad_ortho.objects.system_properties import system_of
 from freecad_ortho.standing import check_structure, size_structure
 from freecad_ortho.structural.check import StructuralCheck
@@ -87,14 +87,7 @@ _PROPERTIES = (
     ),
     *outdated.updating(_GROUP),
     *RESULTS,
-    Property(
-        "App::PropertyInteger",
-        "Version",
-        _GROUP,
-        QT_TRANSLATE_NOOP("App::Property", "Version of this object's properties"),
-        default=VERSION,
-        flags=OUTPUT | HIDDEN,
-    ),
+    version_of(_GROUP, VERSION),
 )
 
 

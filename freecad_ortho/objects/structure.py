@@ -26,7 +26,15 @@ from freecad_ortho.objects.kinds import (
 )
 from freecad_ortho.objects.limit_properties import limit_properties
 from freecad_ortho.objects.option_properties import with_capital
-from freecad_ortho.objects.properties import HIDDEN, OUTPUT, READ_ONLY, Property, choose, ensure
+from freecad_ortho.objects.properties import (
+    HIDDEN,
+    OUTPUT,
+    READ_ONLY,
+    Property,
+    choose,
+    ensure,
+    version_of,
+)
 from freecad_ortho.objects.system_properties import own_words, properties_of
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -133,14 +141,7 @@ _PROPERTIES = (
         QT_TRANSLATE_NOOP("App::Property", "Counts, accuracy and masses, as JSON"),
         flags=OUTPUT | READ_ONLY | HIDDEN,
     ),
-    Property(
-        "App::PropertyInteger",
-        "Version",
-        "Structure",
-        QT_TRANSLATE_NOOP("App::Property", "Version of this object's properties"),
-        default=VERSION,
-        flags=OUTPUT | HIDDEN,
-    ),
+    version_of("Structure", VERSION),
 )
 
 

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from freecad_ortho.fabrication.nesting.room import Room
+from freecad_ortho.fabrication.sizes import check_options
+from freecad_ortho.fabrication.systems.system import System
 from freecad_ortho.fabrication.workshop import Workshop
 from freecad_ortho.words import counted
 
@@ -16,6 +19,41 @@ SHEET_OPTIONS = tuple(
 
 # Names of pieces that a message says.
 _SHOWN = 5
+
+
+@dataclass(frozen=True, kw_only=True)
+class FromSheets(System):
+    """A system of plates that are cut small enough for a sheet.
+
+    Args:
+        sheet: its size, mm; None leaves plates whole.
+        spacing: from the rim of a sheet, mm.
+        grain: "none" lets plates turn on a sheet, "along" does not.
+        kerf: width of the cut, mm.
+
+    Raises:
+        InputError: a size or a word that cannot be used.
+    """
+
+    sheet: str | tuple[float, float] | None = None
+    spacing: float = Workshop.spacing
+    grain: str = Workshop.grain
+    kerf: float = Workshop.kerf
+
+    def __post_init__(self) -> None:
+        # Those of the sheet are checked where the room on it is worked out.
+        check_options(self, set(self.options).difference(SHEET_OPTIONS))
+        _ = self.room
+
+    @property
+    def room(self) -> Room | None:
+        """What a sheet leaves for a pattern, None without a sheet.
+
+        Raises:
+            InputError: a size or a word that cannot be used.
+        """
+        values = {option.name: getattr(self, option.name) for option in SHEET_OPTIONS}
+        return Room.of(Workshop.of(values), self.kerf / 2)
 
 
 def trimming_report(cut: int, left_out: Mapping[str, float]) -> dict[str, Any]:
@@ -59,18 +97,6 @@ def left_out_words(
         f"{system}: left out at the border what is {what}: {shown}, {area:.2g} m2 in "
         f"{len(left_out)}; {remedy}"
     ]
-
-
-def room_on(
-    sheet: str | tuple[float, float] | None, spacing: float, grain: str, kerf: float
-) -> Room | None:
-    """The room that a sheet leaves for a pattern, None without a sheet.
-
-    Raises:
-        InputError: a size or a word that cannot be used.
-    """
-    values = {"sheet": sheet, "spacing": spacing, "grain": grain, "kerf": kerf}
-    return Room.of(Workshop.of(values), kerf / 2)
 
 
 def split_words(

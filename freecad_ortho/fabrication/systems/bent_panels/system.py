@@ -15,11 +15,9 @@ import numpy as np
 
 from freecad_ortho.fabrication.cut_patterns import cut_pattern
 from freecad_ortho.fabrication.cut_sheets import CutPiece
-from freecad_ortho.fabrication.nesting.room import Room
 from freecad_ortho.fabrication.part import Measures, Part, piece_name
 from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
-from freecad_ortho.fabrication.sizes import check_options
 from freecad_ortho.fabrication.systems.bent_panels.plate import Plate, plate_of
 from freecad_ortho.fabrication.systems.bent_panels.rows import Row, rows_of
 from freecad_ortho.fabrication.systems.bent_panels.trimmed import trimmed_plate
@@ -29,14 +27,13 @@ from freecad_ortho.fabrication.systems.panels.geometry import (
 from freecad_ortho.fabrication.systems.shared_options import LEAST_WIDTH, joint, plate_thickness
 from freecad_ortho.fabrication.systems.sheets import (
     SHEET_OPTIONS,
+    FromSheets,
     left_out_words,
     narrower,
-    room_on,
     split_words,
     trimming_report,
 )
-from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
-from freecad_ortho.fabrication.workshop import Workshop
+from freecad_ortho.fabrication.systems.system import SystemParts, sums
 from solver.analysis.measures import diagonal_distances
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
@@ -70,17 +67,13 @@ class _Cut:
 
 
 @dataclass(frozen=True)
-class BentPanels(System):
+class BentPanels(FromSheets):
     """One plate a row, half of its thickness to each side of the net.
 
     Args:
         thickness: of the plates, mm.
         gap: joint between neighbours, mm; each side shrinks by half of it, and by what plates that
             lean together need.
-        sheet: size of the sheets that rows are cut short enough for, mm; None leaves them whole.
-        spacing: from the rim of a sheet, mm.
-        grain: "none" lets panels turn on a sheet, "along" does not.
-        kerf: width of the cut, mm.
         least_width: pieces at the border are left out where no circle of this diameter fits in, mm.
         piece_length: rows are cut along lines of the net into pieces of at most this length along
             their middle, mm; None leaves them whole.
@@ -91,10 +84,6 @@ class BentPanels(System):
 
     thickness: float = 3.0
     gap: float = 10.0
-    sheet: str | tuple[float, float] | None = None
-    spacing: float = Workshop.spacing
-    grain: str = Workshop.grain
-    kerf: float = Workshop.kerf
     least_width: float = 60.0
     piece_length: float | None = None
 
@@ -117,15 +106,6 @@ class BentPanels(System):
             absent="whole rows",
         ),
     )
-
-    def __post_init__(self) -> None:
-        # Those of the sheet are checked where the room on it is worked out.
-        check_options(self, set(self.options).difference(SHEET_OPTIONS))
-        _ = self._room
-
-    @property
-    def _room(self) -> Room | None:
-        return room_on(self.sheet, self.spacing, self.grain, self.kerf)
 
     def build(self, site: Site) -> SystemParts:
         """Unroll the rows along the chosen family, those of u where both are chosen.
@@ -152,7 +132,7 @@ class BentPanels(System):
             names |= dict.fromkeys(cut.plate.row.faces[list(cut.faces)].tolist(), cut.name)
         parts = tuple(self._part(site, family, cut, gaps, names) for cut in cuts)
         report = self._report(family, plates, parts)
-        room = self._room
+        room = self.room
         large = 0 if room is None else sum(not room.holds(plate.outline) for plate in plates)
         words = self._words(chosen, plates, large)
         if site.trimming is not None:
@@ -197,7 +177,7 @@ class BentPanels(System):
         """What is to be said where rows were cut."""
         if self.piece_length is None or len(plates) <= len(chosen):
             return split_words("row", chosen, plates, self.sheet, large)
-        fit = "" if self._room is None else f"; {large or 'none'} of them too large for the sheet"
+        fit = "" if self.room is None else f"; {large or 'none'} of them too large for the sheet"
         return (
             f"piece_length: {len(chosen)} rows are cut along lines of the net into {len(plates)} "
             f"pieces, the longest of {max(plate.length for plate in plates):.1f} mm{fit}",
@@ -205,7 +185,7 @@ class BentPanels(System):
 
     def _fits(self, plate: Plate) -> bool:
         """Whether a plate is short enough, and small enough for a sheet."""
-        room = self._room
+        room = self.room
         short = self.piece_length is None or plate.length <= self.piece_length * (1 + _SAME)
         return short and (room is None or room.holds(plate.outline))
 

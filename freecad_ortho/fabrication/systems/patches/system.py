@@ -14,10 +14,8 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from freecad_ortho.fabrication.nesting.room import Room
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.site import Site
-from freecad_ortho.fabrication.sizes import check_options
 from freecad_ortho.fabrication.systems.patches.parts import PatchMaker
 from freecad_ortho.fabrication.systems.patches.pieces import Piece, pieces_of
 from freecad_ortho.fabrication.systems.patches.sheet import half_thicknesses
@@ -25,14 +23,13 @@ from freecad_ortho.fabrication.systems.patches.splitting import cuts_to_fit
 from freecad_ortho.fabrication.systems.shared_options import LEAST_WIDTH, joint, plate_thickness
 from freecad_ortho.fabrication.systems.sheets import (
     SHEET_OPTIONS,
+    FromSheets,
     left_out_words,
     narrower,
-    room_on,
     split_words,
     trimming_report,
 )
-from freecad_ortho.fabrication.systems.system import System, SystemParts, Table, sums
-from freecad_ortho.fabrication.workshop import Workshop
+from freecad_ortho.fabrication.systems.system import SystemParts, Table, sums
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import QuadMesh
@@ -46,17 +43,13 @@ _COLUMNS = (
 
 
 @dataclass(frozen=True)
-class Patches(System):
+class Patches(FromSheets):
     """One plate for each connected piece of the net, cut along the lines that are chosen.
 
     Args:
         thickness: of the plates, half to each side of the net, mm.
         gap: joint between pieces along a cut, mm; each ends half of it before the cut.
         distortion: largest change of an edge's length from the flat pattern that is built, percent.
-        sheet: size of the sheets that pieces are cut small enough for, mm; None leaves them whole.
-        spacing: from the rim of a sheet, mm.
-        grain: "none" lets pieces turn on a sheet, "along" does not.
-        kerf: width of the cut, mm.
         least_width: pieces at the border are left out where no circle of this diameter fits in, mm.
 
     Raises:
@@ -66,10 +59,6 @@ class Patches(System):
     thickness: float = 3.0
     gap: float = 10.0
     distortion: float = 1.0
-    sheet: str | tuple[float, float] | None = None
-    spacing: float = Workshop.spacing
-    grain: str = Workshop.grain
-    kerf: float = Workshop.kerf
     least_width: float = 60.0
 
     trims: ClassVar[bool] = True
@@ -88,15 +77,6 @@ class Patches(System):
         *SHEET_OPTIONS,
         LEAST_WIDTH,
     )
-
-    def __post_init__(self) -> None:
-        # Those of the sheet are checked where the room on it is worked out.
-        check_options(self, set(self.options).difference(SHEET_OPTIONS))
-        _ = self._room
-
-    @property
-    def _room(self) -> Room | None:
-        return room_on(self.sheet, self.spacing, self.grain, self.kerf)
 
     def build(self, site: Site) -> SystemParts:
         """Lay the pieces flat.
@@ -142,7 +122,7 @@ class Patches(System):
 
         Those without faces that are made, (F,) true, are left out.
         """
-        room = self._room
+        room = self.room
         known: dict[bytes, FlatPatch] = {}
         while True:
             pieces = _made(mesh, cuts, made)
