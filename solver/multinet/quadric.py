@@ -14,12 +14,10 @@ _ROUNDING = 32 * np.finfo(np.float64).eps
 _BISECTIONS = 200
 # In mm, as all options.
 SEMI_AXES = Option(
-    *(
-        "semi_axes",
-        (9000.0, 6500.0, 4000.0),
-        "length",
-        "The semi-axes of the quadric are this long",
-    ),
+    "semi_axes",
+    (9000.0, 6500.0, 4000.0),
+    "length",
+    "The semi-axes of the quadric are this long",
     written="A,B,C",
     within=POSITIVE,
 )
