@@ -1,6 +1,7 @@
 """One count: the number in a name is that of the vertex, edge, face or line it belongs to."""
 
 import re
+from types import SimpleNamespace
 
 import pytest
 import shapely
@@ -9,6 +10,7 @@ from freecad_ortho.fabrication import Beams, Panels, build
 from freecad_ortho.fabrication.nodes import nodes
 from freecad_ortho.fabrication.systems import Nodes
 from freecad_ortho.fabrication.systems.beams.frames import edge_name
+from freecad_ortho.fabrication.systems.beams.parts import name_after
 
 
 @pytest.fixture(scope="module")
@@ -57,3 +59,12 @@ def test_plates_along_lines_are_named_after_them(roof):
         for place in [part.pattern.label, *places]:
             room = plate.exterior.distance(shapely.Point(place))
             assert plate.contains(shapely.Point(place)) and room > 0.4 * 200
+
+
+def test_a_line_in_several_stretches_has_a_letter_for_each_further_one():
+    def named(*names):
+        return name_after("V001", [SimpleNamespace(name=name) for name in names])
+
+    assert named("U000", "U001", "V000") == "V001"
+    assert named("U000", "U001", "V000", "V001") == "V001b"
+    assert named("U000", "U001", "V001", "V001b-1", "V001b-2") == "V001c"
