@@ -133,7 +133,8 @@ class EdgeBeam(System):
         beams, lamellas = others.get("beams"), others.get("lamellas")
         if beams is None and lamellas is not None:
             return replace(self, height=getattr(lamellas, "high", self.height), offset="centre")
-        height = getattr(beams, "height", self.height)
+        # A section of the catalogue has a height of its own.
+        height = getattr(getattr(beams, "sizes", beams), "height", self.height)
         return replace(self, height=height, offset=getattr(beams, "offset", self.offset))
 
     @property
