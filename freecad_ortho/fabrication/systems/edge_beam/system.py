@@ -134,7 +134,7 @@ class EdgeBeam(System):
         if beams is None and lamellas is not None:
             return replace(self, height=getattr(lamellas, "high", self.height), offset="centre")
         # A section of the catalogue has a height of its own.
-        height = getattr(getattr(beams, "sizes", beams), "height", self.height)
+        height = getattr(getattr(beams, "sizes", None), "height", self.height)
         return replace(self, height=height, offset=getattr(beams, "offset", self.offset))
 
     @property
