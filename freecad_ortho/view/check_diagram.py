@@ -22,7 +22,7 @@ NONE = "None"
 DIAGRAMS = (NONE, *FORCES)
 # Properties of a check that diagrams are drawn from, besides those of its members.
 DIAGRAMS_FROM = ("ForcesAlong", "SectionsUp")
-_TRANSPARENT, _TEXT_SIZE, _INK = 0.45, 15, (0.1, 0.1, 0.12)
+_TRANSPARENT, _TEXT_SIZE = 0.45, 11
 _POSITIVE, _NEGATIVE = palette(np.array([1.0, 0.0]), signed=True)
 
 
@@ -105,16 +105,11 @@ class DiagramAreas:
         )
         for sign, there in zip(self._signs, (found.values > 0, found.values < 0), strict=True):
             sign.show(base, np.where(there[:, :, None], tips, base), there)
-        colour, font = coin.SoBaseColor(), coin.SoFont()
-        colour.rgb, font.name, font.size = _INK, "Sans", _TEXT_SIZE
-        self._labels.addChild(colour)
-        self._labels.addChild(font)
         for words, place in found.words:
-            label, stand, text = coin.SoSeparator(), coin.SoTranslation(), coin.SoText2()
+            label, stand = coin.SoSeparator(), coin.SoTranslation()
             stand.translation = tuple(origin.near(place[None])[0].tolist())
-            text.string = words
             label.addChild(stand)
-            label.addChild(text)
+            label.addChild(scene.framed(words, _TEXT_SIZE))
             self._labels.addChild(label)
 
 

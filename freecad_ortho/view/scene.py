@@ -14,6 +14,7 @@ from solver.mesh.quadmesh import FloatArray
 
 # Part of the depth of a scene: far above rounding, too little to be seen through anything.
 _NEARER = 2e-5
+_INK, _PAPER = "0.1 0.1 0.12", "1 1 1"
 
 
 def unpickable() -> coin.SoPickStyle:
@@ -27,6 +28,18 @@ def unlit() -> coin.SoLightModel:
     """What follows has its plain colours."""
     made = coin.SoLightModel()
     made.model = coin.SoLightModel.BASE_COLOR
+    return made
+
+
+def framed(words: str, size: int) -> Any:
+    """Words on a light plate, which are read over whatever lies behind them.
+
+    Args:
+        words: one line.
+        size: of the letters, pixels.
+    """
+    made = coin.SoType.fromName("SoFrameLabel").createInstance()
+    made.set(f'string "{words}" name "Sans" size {size} textColor {_INK} backgroundColor {_PAPER}')
     return made
 
 
