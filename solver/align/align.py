@@ -79,16 +79,6 @@ class Aligned:
     singular: Singular
     remarks: tuple[str, ...] = ()
 
-    def scaled(self, factor: float) -> Aligned:
-        """The same in another unit."""
-        return replace(
-            self,
-            mesh=self.mesh.scaled(factor),
-            border=tuple(factor * line for line in self.border),
-            field=self.field.scaled(factor),
-            singular=self.singular.scaled(factor),
-        )
-
 
 def aligned(
     vertices: ArrayLike,

@@ -40,10 +40,6 @@ class Crosses:
         certainty = np.minimum(1.0, guide.certainty[:inner])
         return cls(mesh.centres[:inner], directions, certainty)
 
-    def scaled(self, factor: float) -> Crosses:
-        """The same in another unit."""
-        return Crosses(factor * self.places, self.directions, self.certainty)
-
 
 @dataclass(frozen=True, eq=False)
 class Singular:
@@ -95,7 +91,3 @@ class Singular:
         valences[other] = lines
         kept = np.flatnonzero((np.arange(len(valences)) != number) & (valences != 4))
         return Singular(self.places[kept], valences[kept])
-
-    def scaled(self, factor: float) -> Singular:
-        """The same in another unit."""
-        return Singular(factor * self.places, self.valences)
