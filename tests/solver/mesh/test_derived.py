@@ -211,7 +211,7 @@ def test_border_rings_come_off():
         (lambda: diagonal_meshes(primitive("sphere", 7, 5)), "two-coloured"),
         (lambda: diagonal_meshes(wavy_grid(4, 4), "round"), "drop or fill"),
         (lambda: medial_mesh(wavy_grid(2, 5)), "valence four"),
-        (lambda: subdivided(wavy_grid(3, 3), 0), "at least 1"),
+        (lambda: subdivided(wavy_grid(3, 3), 0), "levels: expected a whole number, 1 or more"),
         (lambda: catmull_clark(wavy_grid(3, 3), 40), "take fewer"),
         (lambda: coarsened(wavy_grid(6, 5), 2), "trim rows"),
         (lambda: coarsened(wavy_grid(6, 5), 1), "at least 2"),
