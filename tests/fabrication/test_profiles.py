@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from freecad_ortho.fabrication import MATERIALS, Beams
-from freecad_ortho.fabrication.profiles import SERIES, names, polygon, profile
+from freecad_ortho.fabrication.exchange.ifc_profiles import profile_definition
+from freecad_ortho.fabrication.profiles import SERIES, names, polygon, profile, shapes
 from freecad_ortho.fabrication.profiles.rolled import HEA, HEB, HEM, IPE, UPE
 from solver.errors import InputError
 
@@ -215,3 +216,20 @@ def test_beams_name_the_section_that_statics_take_for_theirs(section, area):
 def test_what_is_symmetric_has_no_product_moment(name):
     """Not even the last digits of a sum, which would turn axes of equal second moments."""
     assert profile(name).inertia_yz == 0.0
+
+
+def test_a_section_of_a_standard_is_no_rectangle_for_having_one_outline():
+    """IFC would show a hat as a bar, and a hat with a hole as a tube."""
+
+    def made(*attributes):
+        return attributes
+
+    hat = np.array([[0, 0], [90, 0], [90, 4], [70, 60], [20, 60], [0, 4]], dtype=float)
+    hole = np.array([[30, 10], [60, 10], [55, 50], [35, 50]], dtype=float)
+    words = {"name": "hat:1", "series": "hat", "material": "steel", "materials": ("steel",)}
+    for rings in ([hat], [hat, hole]):
+        section = shapes.polygon(rings, standard="EN 10162", **words)
+        assert not section.rectangular
+        assert profile_definition(made, section) is None
+    assert profile_definition(made, profile("GL24h:80x200"))[0] == "IfcRectangleProfileDef"
+    assert profile_definition(made, profile("tube:100x60x5"))[0] == "IfcRectangleHollowProfileDef"

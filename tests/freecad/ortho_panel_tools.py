@@ -78,12 +78,11 @@ def untold(panel):
     """Labels of what numbers, lengths and angles are typed into without a sentence beside it."""
     found = []
     for box in panel.findChildren(QtGui.QAbstractSpinBox):
-        try:
-            # Of several in a row the row has the sentence.
-            words = box.toolTip() or box.parentWidget().toolTip()
-        except RuntimeError:
-            # PySide takes it for another that was deleted: by chance, so another run sees it.
-            continue
+        around = box.parentWidget()
+        # PySide forgets a child with the widget around it.
+        _alive.append(around)
+        # Of several in a row the row has the sentence.
+        words = box.toolTip() or around.toolTip()
         told = words.rpartition(" (")[0] if words.endswith(")") else words
         if not told.endswith(".") or len(told.split()) < 4 or not told[0].isupper():
             found.append(f"{box.metaObject().className()} '{words}'")

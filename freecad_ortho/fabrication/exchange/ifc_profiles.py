@@ -12,7 +12,7 @@ Make = Callable[..., Any]
 
 
 def profile_definition(make: Make, profile: Profile) -> Any | None:
-    """The entity of a section, y across and z up; None for polygons of one's own.
+    """The entity of a section, y across and z up; None where IFC has none, as for polygons.
 
     Args:
         make: makes an entity of its class and attributes in their order.
@@ -31,6 +31,8 @@ def profile_definition(make: Make, profile: Profile) -> Any | None:
         if family == "tee":
             return make("IfcTShapeProfileDef", *head, height, width, *plates, *[None] * 4)
         return make("IfcIShapeProfileDef", *head, width, height, *plates, None, None)
+    if not profile.rectangular:
+        return None
     outer = profile.rings[0]
     if len(profile.rings) == 1:
         return make("IfcRectangleProfileDef", *head, width, height)

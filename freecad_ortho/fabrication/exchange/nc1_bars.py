@@ -79,9 +79,9 @@ def _profiled(part: Part, section: Profile, member: Member) -> Bar | None:
     wall, outer = section.wall, section.rings[0]
     if len(section.rings) == 2 and all(side.centre is not None for side in outer.sides):
         return _bar(part, section, "RO", member, wall, wall, 0.0)
-    if len(section.rings) == 2:
+    if section.rectangular and len(section.rings) == 2:
         return _bar(part, section, "M", member, wall, wall, float(outer.radii.max()))
-    if len(outer.corners) == 4:
+    if section.rectangular:
         return _bar(part, section, "B", member, 0.0, section.width, 0.0)
     rolled = rolled_sizes(section.name)
     if rolled is None:

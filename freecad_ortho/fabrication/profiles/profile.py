@@ -79,6 +79,15 @@ class Profile:
     standard: str
     wall: float
 
+    @property
+    def rectangular(self) -> bool:
+        """Whether all its outlines are upright rectangles, with corners that may be rounded."""
+        corners = [np.round(ring.corners, 6) for ring in self.rings]
+        return all(
+            len(points) == 4 and all(len(np.unique(along)) == 2 for along in points.T)
+            for points in corners
+        )
+
     @cached_property
     def sides(self) -> tuple[Side, ...]:
         """Of all rings."""
