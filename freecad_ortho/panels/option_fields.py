@@ -59,7 +59,8 @@ class OptionField:
             words = sentence(translate("Ortho", option.meaning))
             allowed = option.range
             limits = f" ({allowed.least:g} … {allowed.most:,g})" if allowed.closed else ""
-            self.widget.setToolTip(words + limits)
+            for widget in [self.widget, *self._widgets]:
+                widget.setToolTip(words + limits)
 
     @property
     def value(self) -> Any:
@@ -83,6 +84,11 @@ class OptionField:
         for part, item in zip(self._parts, self._items(value), strict=False):
             self._write(part, item)
 
+    @property
+    def _widgets(self) -> list[QtGui.QWidget]:
+        """One for each part of the value."""
+        return [getattr(part, "widget", part) for part in self._parts]
+
     def _items(self, value: Any) -> tuple[Any, ...]:
         return value if self.option.several else (value,)
 
@@ -93,7 +99,7 @@ class OptionField:
             part = self._part()
             self._parts.append(part)
             self._write(part, item)
-        widgets = [getattr(part, "widget", part) for part in self._parts]
+        widgets = self._widgets
         if len(widgets) == 1:
             return widgets[0]
         group = QtGui.QWidget()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gc
 import math
 from typing import Any
 
@@ -15,20 +14,6 @@ _DIGITS = 6
 _NOTHING = 1e-6
 # So many fields are made until one is not taken for another.
 _TRIES = 20
-# Milliseconds after which what held a deleted field is collected: a panel is gone by then.
-_LATER = 200
-
-# PySide knows FreeCAD's own fields by their place. What comes to lie in the place of a deleted one,
-# an event for instance, is taken for it as long as Python remembers that one, and panels are
-# remembered until the collector comes by. So it is called, which takes a tenth of a second.
-_collecting = QtCore.QTimer()
-_collecting.setSingleShot(True)
-_collecting.setInterval(_LATER)
-_collecting.timeout.connect(lambda: gc.collect())
-
-
-def _collect_soon(*_: Any) -> None:
-    _collecting.start()
 
 
 def _line(box: QtGui.QWidget) -> QtGui.QLineEdit | None:
@@ -127,7 +112,6 @@ class QuantityField(QtCore.QObject):
     ) -> None:
         self.widget = _box()
         super().__init__(self.widget)
-        self.widget.destroyed.connect(_collect_soon)
         self._unit = unit
         self.widget.setProperty("unit", unit)
         for name, limit in (("minimum", minimum), ("maximum", maximum)):

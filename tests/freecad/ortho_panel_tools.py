@@ -62,6 +62,9 @@ def document_for_panels():
 
 def open_panel(document, command):
     """Open the panel of a command; give the widget that is its form."""
+    # PySide takes what comes to lie in the place of something deleted for that, as long as Python
+    # remembers it.
+    pass
     FreeCADGui.Selection.clearSelection()
     names = PANELS[command]
     if names[1:] and names[1].startswith("Face"):
@@ -78,11 +81,10 @@ def untold(panel):
     """Labels of what numbers, lengths and angles are typed into without a sentence beside it."""
     found = []
     for box in panel.findChildren(QtGui.QAbstractSpinBox):
-        around = box.parentWidget()
-        # PySide forgets a child with the widget around it.
-        _alive.append(around)
-        # Of several in a row the row has the sentence.
-        words = box.toolTip() or around.toolTip()
+        if not box.inherits("QAbstractSpinBox"):
+            # PySide takes what lies in the place of a deleted field for that one.
+            continue
+        words = box.toolTip()
         told = words.rpartition(" (")[0] if words.endswith(")") else words
         if not told.endswith(".") or len(told.split()) < 4 or not told[0].isupper():
             found.append(f"{box.metaObject().className()} '{words}'")
@@ -96,9 +98,9 @@ def form():
 
 def scroll_area():
     """What FreeCAD shows task panels in; up to 1.0 their buttons are inside, later beside it."""
-    boxes = FreeCADGui.getMainWindow().findChildren(QtGui.QDialogButtonBox)
-    (buttons,) = [box for box in boxes if box.isVisible()]
-    around = buttons.parentWidget()
+    if not wait(visible_buttons, 5):
+        raise AssertionError("no task panel is open")
+    around = visible_buttons().parentWidget()
     while around is not None:
         _alive.append(around)
         for each in (around, *around.findChildren(QtGui.QScrollArea)):
@@ -106,6 +108,12 @@ def scroll_area():
                 return each
         around = around.parentWidget()
     raise AssertionError("no task panel is open")
+
+
+def visible_buttons():
+    """The row of buttons of the task panel that is open, None where PySide finds none."""
+    boxes = FreeCADGui.getMainWindow().findChildren(QtGui.QDialogButtonBox)
+    return next((box for box in boxes if box.isVisible()), None)
 
 
 def width():
