@@ -270,6 +270,13 @@ def test_narrow_pieces_are_left_out_and_said(sheet):
     assert all_of_it.report()["panels"]["left_out"] == []
 
 
+@pytest.mark.parametrize("frame", ["none", "plate", "silicone"])
+def test_a_border_that_leaves_no_panel_is_refused(sheet, frame):
+    inside = [flat([(1200, 1200), (1800, 1200), (1800, 1800), (1200, 1800)])]
+    with pytest.raises(InputError, match="panels: the border leaves no piece that is wide enough"):
+        build(sheet, [Panels(12, 8, least_width=900, frame=frame)], border=inside)
+
+
 def test_without_a_border_nothing_is_said_of_it(sheet):
     report = build(sheet, [Panels(12, 8)]).report()
     assert not {"trimmed", "left_out"} & report["panels"].keys()

@@ -260,7 +260,8 @@ class Panels(System):
         """Work out the panels, on the beams and clear of the hubs where there are some.
 
         Raises:
-            InputError: a face that the gap or the hubs leave nothing of.
+            InputError: a face that the gap or the hubs leave nothing of, or no panel that the
+                border leaves.
         """
         if self.folding is not None:
             refuse_brittle(site.material)
@@ -288,6 +289,11 @@ class Panels(System):
         loose = None if edge_beam is None or least is None else least <= 0
         sizes = self.thickness, measures, self.least_width
         laid = panel_parts(site, geometry, *sizes, join, formed, loose)
+        if not laid.parts:
+            raise InputError(
+                "panels: the border leaves no piece that is wide enough or can be made of "
+                f"{site.material.name}; take a smaller least width or larger faces"
+            )
         parts, doubts = laid.parts, list[str]()
         made = ~whole
         made[[part.face for part in parts if part.face is not None]] = True
