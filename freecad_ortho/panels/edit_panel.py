@@ -170,7 +170,7 @@ class EditPanel:
             words = net_words()
         self.net_type = ChoiceField(words, net.NetType)
         self.net_type.widget.currentIndexChanged.connect(lambda _: self._retarget())
-        self.isometric = QtGui.QCheckBox(translate("Ortho", "Isometric (no stretching)"))
+        self.isometric = QtGui.QCheckBox(translate("Ortho", "Isometric"))
         self.isometric.setToolTip(
             translate("Ortho", "For developable nets: the sheet bends and hardly stretches.")
         )

@@ -9,12 +9,13 @@ from freecad_ortho.panels.quantity import QuantityField
 from solver.errors import InputError
 
 NARROW = 100
-# The most that one line of a task panel holds, in the width that FreeCAD gives it at first.
-_BROAD = 190
+# The most that one line of a task panel holds, in the width that FreeCAD gives it at first, beside
+# a scroll bar and inside the frame of a group.
+_BROAD = 180
 # Of an editable list of words, what its arrow and frame take.
 _ARROW = 45
 # Letters of a name in a title.
-_TITLE = 14
+_TITLE = 12
 
 
 def form_rows(parent: QtGui.QWidget | None = None) -> QtGui.QFormLayout:

@@ -208,6 +208,7 @@ class SourcePanel:
         self.form.setWindowTitle(shortened(title))
         self.form.setWindowIcon(QtGui.QIcon(icon(picture)))
         column = QtGui.QVBoxLayout(self.form)
+        column.setContentsMargins(0, 6, 0, 6)
         self.choice = QtGui.QComboBox()
         self.choice.addItems([translate("Ortho", name) for name in GROUPS[group]])
         leave_room(self.choice)

@@ -62,9 +62,6 @@ def document_for_panels():
 
 def open_panel(document, command):
     """Open the panel of a command; give the widget that is its form."""
-    # PySide takes what comes to lie in the place of something deleted for that, as long as Python
-    # remembers it.
-    pass
     FreeCADGui.Selection.clearSelection()
     names = PANELS[command]
     if names[1:] and names[1].startswith("Face"):
@@ -128,7 +125,8 @@ def width():
 def cut_off(panel):
     """Texts in a task panel that are wider than the room for them, in any state of its choices."""
     found = []
-    if panel.width() > width():
+    # A scroll bar that has just come needs a moment for what is beside it.
+    if not wait(lambda: panel.width() <= width(), 1):
         found.append(f"the panel ({panel.width()} > {width()}): {', '.join(broad(panel))}")
     for each in texts_of(panel):
         if each.isVisible():

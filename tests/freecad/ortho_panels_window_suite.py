@@ -38,6 +38,10 @@ class TestWidths(WindowCase):
     def setUp(self):
         super().setUp()
         self.addCleanup(FreeCADGui.setLocale, "English")
+        # So low that each panel needs a scroll bar, which takes from its width.
+        main = FreeCADGui.getMainWindow()
+        self.addCleanup(main.resize, main.size())
+        main.resize(main.width(), 500)
 
     def test_no_text_is_cut_off(self):
         found, document = [], document_for_panels()

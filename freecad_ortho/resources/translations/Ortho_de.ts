@@ -1599,7 +1599,7 @@
    <translation>Ausnutzung jedes Stabs, 1 ist alles</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/fem_loads.py" />
+   <location filename="../../../freecad_ortho/objects/properties.py" />
    <source>Version of this object's properties</source>
    <translation>Version der Eigenschaften dieses Objekts</translation>
   </message>
@@ -2794,7 +2794,7 @@
   <message>
    <location filename="../../../freecad_ortho/panels/display_panel.py" />
    <source>Forces under equal loads</source>
-   <translation>Kräfte unter gleichen Lasten</translation>
+   <translation>Kräfte bei gleicher Last</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -3013,8 +3013,8 @@
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
-   <source>Isometric (no stretching)</source>
-   <translation>Isometrisch (ohne Dehnung)</translation>
+   <source>Isometric</source>
+   <translation>Isometrisch</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />

@@ -1599,7 +1599,7 @@
    <translation>Taux de travail de chaque barre, 1 est tout</translation>
   </message>
   <message>
-   <location filename="../../../freecad_ortho/objects/fem_loads.py" />
+   <location filename="../../../freecad_ortho/objects/properties.py" />
    <source>Version of this object's properties</source>
    <translation>Version des propriétés de cet objet</translation>
   </message>
@@ -3013,8 +3013,8 @@
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/edit_panel.py" />
-   <source>Isometric (no stretching)</source>
-   <translation>Isométrique (sans étirement)</translation>
+   <source>Isometric</source>
+   <translation>Isométrique</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
