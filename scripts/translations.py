@@ -4,9 +4,9 @@ usage: python scripts/translations.py            collect the strings into the .t
        python scripts/translations.py --check    only say what is missing; exit code 1 if anything
 
 A string is found where it is written: translate(CONTEXT, TEXT), QT_TRANSLATE_NOOP(CONTEXT, TEXT),
-the texts of .ui files, and the catalogues that catalogue_words.py reads. A new one appears in the
-.ts files as unfinished; translate it there (or with Qt Linguist) and run this again. Compiling
-needs Qt's lrelease, in Debian qttools5-dev-tools.
+Sentence(TEXT, ...) of rooms without FreeCAD, the texts of .ui files, and the catalogues that
+catalogue_words.py reads. A new one appears in the .ts files as unfinished; translate it there (or
+with Qt Linguist) and run this again. Compiling needs Qt's lrelease, in Debian qttools5-dev-tools.
 """
 
 from __future__ import annotations
@@ -26,6 +26,8 @@ ROOT = Path(__file__).resolve().parents[1]
 FOLDER = ROOT / "freecad_ortho" / "resources" / "translations"
 LANGUAGES = ("de", "fr")
 _MARKERS = ("translate", "QT_TRANSLATE_NOOP")
+# The context of what panels show.
+_PANELS = "Ortho"
 
 # (context, text as it is written in the source)
 Key = tuple[str, str]
@@ -33,8 +35,9 @@ Key = tuple[str, str]
 
 def sources() -> list[Path]:
     """List the files that hold strings for people."""
-    package = ROOT / "freecad_ortho"
-    return [ROOT / "InitGui.py", *sorted(package.rglob("*.py")), *sorted(package.rglob("*.ui"))]
+    package, solver = ROOT / "freecad_ortho", ROOT / "solver"
+    code = [path for folder in (package, solver) for path in sorted(folder.rglob("*.py"))]
+    return [ROOT / "InitGui.py", *code, *sorted(package.rglob("*.ui"))]
 
 
 def collect() -> dict[Key, str]:
@@ -55,6 +58,8 @@ def collect() -> dict[Key, str]:
 
 def _of_code(path: Path) -> Iterator[Key]:
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"), str(path))):
+        if isinstance(node, ast.Call) and _called(node) == "Sentence":
+            yield _PANELS, _pattern(node, path)
         if not isinstance(node, ast.Call) or _called(node) not in _MARKERS or len(node.args) < 2:
             continue
         words = [item.value if isinstance(item, ast.Constant) else None for item in node.args[:2]]
@@ -62,6 +67,14 @@ def _of_code(path: Path) -> Iterator[Key]:
             yield words[0], words[1]
         elif _called(node) == "QT_TRANSLATE_NOOP":
             raise ValueError(f"{path.name}, line {node.lineno}: expected two texts in quotes")
+
+
+def _pattern(node: ast.Call, path: Path) -> str:
+    """The words of a sentence, which panels translate when they show it."""
+    words = node.args[0].value if isinstance(node.args[0], ast.Constant) else None
+    if not isinstance(words, str):
+        raise ValueError(f"{path.name}, line {node.lineno}: expected a text in quotes")
+    return words
 
 
 def _called(node: ast.Call) -> str:

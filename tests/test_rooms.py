@@ -31,9 +31,9 @@ DEFERRED = {
 
 # Inside the solver, from the ground up; nothing that a file imports, anywhere in it, is above it.
 LAYERS = (
-    "errors", "option", "tuning", "isolated", "mesh", "io", "multinet", "mesh.primitives",
-    "offset", "linear", "statics", "frame", "analysis", "align", "terms", "report", "problem",
-    "nets", "analysis.start", "candidate", "plan", "wishes",
+    "errors", "option", "sentence", "tuning", "isolated", "mesh", "io", "multinet",
+    "mesh.primitives", "offset", "linear", "statics", "frame", "analysis", "align", "terms",
+    "report", "problem", "nets", "analysis.start", "candidate", "plan", "wishes",
     "assembly", "point", "damped_step", "relaxation", "gauss_newton", "nearest", "grouping",
     "repetition", "best", "summary", "last_phase", "along", "whole_plan", "run", "optimise",
     "session", "solve",

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import numbers
+
 import FreeCAD
 from PySide import QtCore, QtGui
 
 from freecad_ortho.panels.quantity import QuantityField
 from solver.errors import InputError
+from solver.sentence import Measured, Sentence
 
 NARROW = 100
 # The most that one line of a task panel holds, in the width that FreeCAD gives it at first, beside
@@ -165,6 +168,20 @@ class TextField:
 def sentence(words: str) -> str:
     """Words of a table, which begin small and end without a full stop, as a sentence."""
     return f"{words[:1].upper()}{words[1:]}{'' if words[-1:] in '.!?' else '.'}"
+
+
+def in_users_words(said: object) -> str:
+    """A sentence of another room in the user's language and units; what is no such as it is."""
+    if isinstance(said, tuple):
+        return ", ".join(map(in_users_words, said))
+    if isinstance(said, Measured):
+        kind = FreeCAD.Units.Length if said.power == 1 else FreeCAD.Units.Area
+        return str(FreeCAD.Units.Quantity(said.value, kind).UserString)
+    if not isinstance(said, Sentence):
+        return str(said)
+    # Numbers stay numbers: the pattern says how they are written.
+    values = (x if isinstance(x, numbers.Real) else in_users_words(x) for x in said.values)
+    return str(FreeCAD.Qt.translate("Ortho", said.pattern)).format(*values)
 
 
 def length_words(millimetres: float) -> str:

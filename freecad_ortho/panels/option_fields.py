@@ -102,6 +102,8 @@ class OptionField:
         widgets = self._widgets
         if len(widgets) == 1:
             return widgets[0]
+        if self.option.kind in _UNITS:
+            QuantityField.joined(self._parts)
         group = QtGui.QWidget()
         # What has a unit needs the room: one below the other. Of plain numbers three go abreast.
         abreast = 1 if self.option.kind in _UNITS else len(widgets) if len(widgets) < 4 else 2

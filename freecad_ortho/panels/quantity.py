@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Any
 
 import FreeCADGui
@@ -31,9 +32,11 @@ class Absent(QtCore.QObject):
     FreeCAD's own field for quantities knows no text for a special value.
     """
 
-    def __init__(self, box: QtGui.QWidget, words: str) -> None:
+    def __init__(self, box: QtGui.QWidget, words: str, unit: str) -> None:
         super().__init__(box)
-        self._box = box
+        self._box, self._unit = box, unit
+        # Those that are zero together where they stand for something else.
+        self.fellows = [self]
         line = _line(box)
         line.setPlaceholderText(words)
         # The field writes its number anew when it loses the focus or is shown: look after that.
@@ -50,13 +53,25 @@ class Absent(QtCore.QObject):
         return False
 
     def show(self) -> None:
-        """Make room for the words where the number is zero."""
+        """Make room for the words where the number is zero, and so are those of its fellows."""
+        absent = all(each.is_zero for each in self.fellows)
+        for each in self.fellows:
+            each.write(absent)
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether the number is zero."""
+        return bool(self._box.property("rawValue") == 0.0)
+
+    def write(self, absent: bool) -> None:
+        """Clear the field for its words, or write the zero that they stood for."""
         line = _line(self._box)
-        if line is None:
+        if line is None or self._box.hasFocus() or line.hasFocus() or not self.is_zero:
             return
-        typing = self._box.hasFocus() or line.hasFocus()
-        if self._box.property("rawValue") == 0.0 and not typing:
+        if absent:
             line.clear()
+        elif not line.text():
+            line.setText(f"0 {self._unit}")
 
 
 def _box() -> Any:
@@ -117,12 +132,21 @@ class QuantityField(QtCore.QObject):
         for name, limit in (("minimum", minimum), ("maximum", maximum)):
             if limit is not None:
                 self.widget.setProperty(name, limit)
-        self._absent = Absent(self.widget, absent) if absent else None
+        self._absent = Absent(self.widget, absent, unit) if absent else None
         self.value = value
         self._afterwards = QtCore.QTimer(self)
         self._afterwards.setSingleShot(True)
         self._afterwards.timeout.connect(self._write_again)
         self.widget.installEventFilter(self)
+
+    @staticmethod
+    def joined(fields: Sequence[QuantityField]) -> None:
+        """Show the words for an absent number only where all of several fields are zero."""
+        fellows = [field._absent for field in fields if field._absent is not None]
+        for one in fellows:
+            one.fellows = fellows
+        if fellows:
+            fellows[0].show()
 
     @property
     def value(self) -> float:

@@ -12,7 +12,7 @@ from PySide import QtCore, QtGui
 
 from freecad_ortho.objects import places, source_net
 from freecad_ortho.objects.making import Inputs
-from freecad_ortho.panels.fields import form_rows, leave_room, shortened
+from freecad_ortho.panels.fields import form_rows, in_users_words, leave_room, shortened
 from freecad_ortho.panels.option_fields import OptionField
 from freecad_ortho.resources import icon
 from freecad_ortho.sources import GROUPS, Made, Source, source
@@ -112,7 +112,7 @@ class SourcePanel:
         count = translate("Ortho", "{} vertices, {} quads").format(
             len(made.mesh.vertices), len(made.mesh.faces)
         )
-        self._say("\n".join([count, *made.remarks]))
+        self._say("\n".join([count, *map(in_users_words, made.remarks)]))
 
     def accept(self) -> bool:
         """Make or change the net, as one undo step and one line of a macro."""

@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 
 from freecad_ortho.sources.source import Made, Source
-from freecad_ortho.words import counted
 from solver.align import options as alignment
 from solver.align.align import Aligned, aligned
 from solver.align.crosses import Singular
@@ -17,6 +16,7 @@ from solver.mesh.closest import TriangleSurface
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.mesh.sampling import ParametricSurface, sampled
 from solver.option import Option
+from solver.sentence import Sentence
 
 # Points of a CAD face along an edge of the net, where they do not come to too many.
 _FINER, _POINTS = 4.0, 40_000
@@ -73,12 +73,16 @@ def _on_faces(
 
 def _irregular(made: Aligned) -> list[str]:
     """How many irregular vertices there are, by how many lines meet there, in words."""
-    counts = made.mesh.connectivity.face_valence[made.irregular]
-    found = [
-        f"{counted(int((counts == lines).sum()), 'vertex', 'vertices')} with {lines} lines"
-        for lines in np.unique(counts).tolist()
-    ]
-    return [f"irregular: {', '.join(found)}"] if found else []
+    lines, counts = np.unique(
+        made.mesh.connectivity.face_valence[made.irregular], return_counts=True
+    )
+    found = tuple(
+        Sentence("{} vertices with {} lines", count, meeting)
+        if count > 1
+        else Sentence("1 vertex with {} lines", meeting)
+        for meeting, count in zip(lines.tolist(), counts.tolist(), strict=True)
+    )
+    return [Sentence("irregular: {}", found)] if found else []
 
 
 def aligned_on(

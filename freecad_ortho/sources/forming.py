@@ -23,6 +23,7 @@ from solver.formfinding import (
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import QuadMesh
 from solver.option import Former, Option
+from solver.sentence import Sentence
 
 Vector = tuple[float, float, float]
 _NONE = (0.0, 0.0, 0.0)
@@ -86,7 +87,9 @@ def _formed(meshes: Sequence[QuadMesh], unit: str, **options: Any) -> Made:
     if not form.converged:
         raise InputError(f"form-finding: {form.message}")
     pull = np.linalg.norm(form.reactions, axis=1).max()
-    words = f"{form.message}, unbalanced {form.unbalanced:.0e}; largest support force {pull:.3g}"
+    words = Sentence(
+        "in equilibrium, unbalanced {:.0e}; largest support force {:.3g}", form.unbalanced, pull
+    )
     return Made(form.mesh, (words, *remarks))
 
 

@@ -20,6 +20,7 @@ from solver.multinet.polyline import Spline
 from solver.multinet.presets import PRESETS, preset
 from solver.multinet.quadric import SEMI_AXES
 from solver.option import Former, Option
+from solver.sentence import Measured, Sentence
 
 if TYPE_CHECKING:
     # Of the standard library from Python 3.11 on.
@@ -38,7 +39,7 @@ _QUADRIC = Option(
 _T_RANGE = Option(
     "t_range", (0.0, 0.0), "area",
     "The net goes from the first to the second t; with 0 and 0 it keeps clear of both ends",
-    written="T0,T1", former=Former("range"),
+    written="T0,T1", absent="automatic", former=Former("range"),
 )  # fmt: skip
 _REFLECT = Option(
     "reflect",
@@ -107,15 +108,15 @@ def _finished(
     mesh = net.sampled(*sampling, ends, spacing)
     if reflect.strip():
         mesh = reflected(mesh, reflect.replace(",", "").replace(" ", "").lower(), net.quadric)
-    said = said_range(*net.admissible, unit)
-    return Made(mesh, (f"t from {ends[0]:.4g} to {ends[1]:.4g} {unit}2, {said}",))
+    return Made(mesh, (_said_range(ends, net.admissible, unit),))
 
 
-def said_range(low: float, high: float, unit: str = "mm") -> str:
-    """The admissible range of t in words."""
-    return f"admissible from {low:.4g} to {high:.4g} {unit}2" if np.isfinite(high) else (
-        f"admissible from {low:.4g} {unit}2 on"
-    )  # fmt: skip
+def _said_range(ends: tuple[float, float], admissible: tuple[float, float], unit: str) -> Sentence:
+    """From where to where t goes, and where it could."""
+    start, end, low, high = (Measured(t, 2, 4, unit) for t in (*ends, *admissible))
+    if np.isfinite(admissible[1]):
+        return Sentence("t from {} to {}, admissible from {} to {}", start, end, low, high)
+    return Sentence("t from {} to {}, admissible from {} on", start, end, low)
 
 
 def _drawn(

@@ -48,6 +48,7 @@ from solver.mesh.connectivity import IntArray
 from solver.mesh.intake import quad_mesh
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.mesh.triangles import sound_triangles
+from solver.sentence import Measured, Sentence
 
 # Quads that are made, at least and at most.
 _FEWEST, _MOST = 6, 100_000
@@ -276,13 +277,20 @@ def _mapped(
         raise InputError(refusal)
     if not best.close:
         remarks.append(
-            "lines that follow the surface's own directions closely would run into each other, or "
-            "bunch, here; these do less so"
+            Sentence(
+                "lines that follow the surface's own directions closely would run into each other, "
+                "or bunch, here; these do less so"
+            )
         )
     if best.folded:
-        some = "1 face is" if best.folded == 1 else f"{best.folded} faces are"
-        remarks.append(f"{some} folded; {_REMEDY}")
+        remarks.append(_said_folded(best.folded))
     return best.mesh, best.field
+
+
+def _said_folded(count: int) -> Sentence:
+    if count == 1:
+        return Sentence("1 face is folded; give a shorter edge, or smooth the surface there")
+    return Sentence("{} faces are folded; give a shorter edge, or smooth the surface there", count)
 
 
 def _attempts(asked: _Asked, waiting: Callable[[str], object]) -> Iterator[_Attempt]:
@@ -366,6 +374,10 @@ def _say_openings(
     for k in np.argsort(spans)[: max(closed, 0)].tolist():
         place = surface.points[loops[k]].mean(axis=0)
         remarks.append(
-            f"the opening at {_at(place)}, {spans[k]:.3g} across, is too small for faces of this "
-            "size: lines run over it; a shorter edge keeps it"
+            Sentence(
+                "the opening at {}, {} across, is too small for faces of this size: lines run over "
+                "it; a shorter edge keeps it",
+                _at(place),
+                Measured(spans[k]),
+            )
         )

@@ -17,6 +17,7 @@ from solver.errors import InputError
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray
+from solver.sentence import Sentence
 
 # What a net can be aligned as, and by how much its lines are turned from those of curvature, or of
 # stress: the nets whose lines others begin with (``Net.lines``), and with ``developable`` all those
@@ -85,14 +86,19 @@ def net_guide(
                 "principal, or a surface that is curved differently in its directions"
             )
         remarks.append(
-            "the surface is flat or round: every direction is one of curvature; the lines run "
-            "along its border"
+            Sentence(
+                "the surface is flat or round: every direction is one of curvature; the lines run "
+                "along its border"
+            )
         )
         bent = float(np.ptp(mesh.normals[:inner], axis=0).max())
         if bent > _FOLDED and _middle(np.abs(mean), areas) < _FLAT / edge:
             remarks.append(
-                "it is made of flat faces that meet at creases: lines along these cannot run along "
-                "all eaves as well; a net on each face alone (--faces) keeps to its longest side"
+                Sentence(
+                    "it is made of flat faces that meet at creases: lines along these cannot run "
+                    "along all eaves as well; a net on each face alone (--faces) keeps to its "
+                    "longest side"
+                )
             )
         straight = _along_side(mesh, inner) if bent < _PLANE else None
         return straight or _along_border(mesh, inner)

@@ -14,6 +14,7 @@ from solver.align.mend import mended, relaxed
 from solver.align.refine import refined
 from solver.align.triangle_mesh import TriangleMesh
 from solver.mesh.quadmesh import FloatArray
+from solver.sentence import Measured, Sentence
 
 # In edges of the net: how far curvature is looked for, and what the surface is carried on by; how
 # far points count for that, also of noisy ones, and how fine the strips are; the longest edge of a
@@ -81,8 +82,10 @@ def prepared(
     smooth, rough = smoothed(mended(surface, edge), edge)
     if rough:
         remarks.append(
-            f"the surface is rough, by {rough:.2g} within an edge; the net is on a smooth one "
-            "through it"
+            Sentence(
+                "the surface is rough, by {} within an edge; the net is on a smooth one through it",
+                Measured(rough, digits=2),
+            )
         )
     return smooth, Work.of(smooth, edge, shorter, rough > 0)
 
@@ -107,7 +110,8 @@ def openings(surface: TriangleMesh, edge: float, remarks: list[str]) -> list[lis
         return loops
     gapes = [wide for wide, fault in zip(across, faults, strict=True) if fault]
     if max(gapes) > _SHUT * edge:
-        remarks.append(f"pinholes are closed: {len(gapes)}, {max(gapes):.2g} across at most")
+        widest = Measured(max(gapes), digits=2)
+        remarks.append(Sentence("pinholes are closed: {}, {} across at most", len(gapes), widest))
     return kept
 
 

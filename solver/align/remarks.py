@@ -13,6 +13,7 @@ from solver.align.guides import walked
 from solver.align.triangle_mesh import TriangleMesh
 from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.sentence import Sentence
 
 # Degrees to the lines of curvature from which on no exact net keeps a border, and a stroke.
 _ASKEW, _ACROSS = 2.0, 10.0
@@ -34,9 +35,12 @@ def say_border(mesh: TriangleMesh, guide: GuidingField, edge: float, remarks: li
     turned = turned_from_border(mesh, guide, Features.border(mesh, guide.inner, edge))
     if turned > _ASKEW:
         remarks.append(
-            f"the border runs at {turned:.0f} degrees to the lines of curvature on average: an "
-            "exact principal net leaves it; a planar one with some millimetres of flatness, which "
-            "glides along its boundary, keeps it"
+            Sentence(
+                "the border runs at {:.0f} degrees to the lines of curvature on average: an exact "
+                "principal net leaves it; a planar one with some millimetres of flatness, which "
+                "glides along its boundary, keeps it",
+                turned,
+            )
         )
 
 
@@ -95,9 +99,14 @@ def say_strokes(
         turned = _turned(mesh, guide, rows, along, np.ones(len(rows)))
         if turned > _ACROSS:
             remarks.append(
-                f"stroke {number} runs at {turned:.0f} degrees to the lines of a {net} net on "
-                "average: the net follows it, but an exact one near to this surface does not; draw "
-                "it along these lines, or leave the net as it is aligned"
+                Sentence(
+                    "stroke {} runs at {:.0f} degrees to the lines of a {} net on average: the net "
+                    "follows it, but an exact one near to this surface does not; draw it along "
+                    "these lines, or leave the net as it is aligned",
+                    number,
+                    turned,
+                    net,
+                )
             )
 
 
@@ -120,7 +129,11 @@ def say_bunched(mesh: QuadMesh, edge: float, remarks: list[str]) -> None:
     ends = mesh.connectivity.edges[mesh.edge_lengths <= short]
     at = ", ".join(f"{x:.4g}" for x in np.median(mesh.vertices[ends].mean(axis=1), axis=0))
     remarks.append(
-        f"lines bunch near ({at}): one edge in {round(1 / _SOME)} is shorter than "
-        f"{100 * short / edge:.0f} % of what was wanted; try: singular vertices beside that place, "
-        "or another net"
+        Sentence(
+            "lines bunch near ({}): one edge in {} is shorter than {:.0f} % of what was wanted; "
+            "try: singular vertices beside that place, or another net",
+            at,
+            round(1 / _SOME),
+            100 * short / edge,
+        )
     )

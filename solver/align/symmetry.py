@@ -22,6 +22,7 @@ from solver.mesh.closest import TriangleSurface
 from solver.mesh.connectivity import IntArray
 from solver.mesh.intake import quad_mesh
 from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
+from solver.sentence import Sentence
 
 # What may be asked for: no planes, those that are found, or those across an axis.
 SYMMETRIES = ("none", "auto", "x", "y", "z", "x,y", "x,y,xy")
@@ -105,9 +106,9 @@ def mirrors_of(
     found = _found(surface, box, edge)
     planes = " and ".join(str(mirror) for mirror in found)
     remarks.append(
-        f"the net is symmetric in {planes}"
+        Sentence("the net is symmetric in {}", planes)
         if found
-        else "the surface has no plane of symmetry; the net is made without"
+        else Sentence("the surface has no plane of symmetry; the net is made without")
     )
     return found
 

@@ -15,6 +15,7 @@ from solver.mesh.merge import merged
 from solver.mesh.mixed import MixedConnectivity
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.mesh.seams import MEETING, meeting, seams
+from solver.sentence import Sentence
 
 
 def size_of(vertices: FloatArray) -> float:
@@ -105,8 +106,10 @@ def weld_remarks(meshes: Sequence[QuadMesh], whole: QuadMesh) -> list[str]:
     """What is to be said about a mesh made of several by :func:`welded`, in plain words."""
     count = sum(len(one.vertices) for one in meshes) - len(whole.vertices)
     parts = int(whole.connectivity.components.max()) + 1
-    said = [f"{count} vertices merged" if count != 1 else "1 vertex merged"]
-    said += [f"{parts} separate components"] if parts > 1 else []
+    said: list[str] = [
+        Sentence("{} vertices merged", count) if count != 1 else Sentence("1 vertex merged")
+    ]
+    said += [Sentence("{} separate components", parts)] if parts > 1 else []
     return [*said, *seams(whole).remarks()]
 
 

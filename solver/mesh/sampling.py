@@ -17,6 +17,7 @@ from solver.mesh.intersections import crossing_faces
 from solver.mesh.join import joined
 from solver.mesh.mirror import size_of
 from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.sentence import Sentence
 
 # Points on a line by which lengths are measured; lines of each family for that; points a side for
 # an area of which no more than the size is wanted.
@@ -152,9 +153,11 @@ def sampled(
         mesh, left = joined(made, [outline.size for outline in outlines])
         parts = int(mesh.connectivity.components.max()) + 1
         if parts > 1:
-            remarks.append(f"{parts} separate parts: not all faces meet along whole sides")
+            remarks.append(
+                Sentence("{} separate parts: not all faces meet along whole sides", parts)
+            )
         elif left:
-            remarks.append(f"{left} vertices lie beside a seam and could not be joined")
+            remarks.append(Sentence("{} vertices lie beside a seam and could not be joined", left))
     return SampledNet(mesh, tuple(remarks))
 
 
@@ -314,11 +317,17 @@ def _snapped(
     mesh, dropped = fitted(mesh, triangles, Border.of_polylines(surface.border), held)
     if surface.foot is not None:
         mesh = mesh.with_vertices(surface.foot(mesh.vertices))
-    words = []
+    words: list[str] = []
     if dropped:
-        words.append(f"{surface.name}: {dropped} quads at the border had no room and were left out")
+        words.append(
+            Sentence(
+                "{}: {} quads at the border had no room and were left out", surface.name, dropped
+            )
+        )
     if straight := straight_corners(mesh):
-        words.append(f"{surface.name}: {straight} quads at the border have a straight corner")
+        words.append(
+            Sentence("{}: {} quads at the border have a straight corner", surface.name, straight)
+        )
     return mesh, words
 
 

@@ -1,12 +1,14 @@
 """Drawing a multi-net on its quadric with the mouse in FreeCAD's window. Run by FreeCAD."""
 
 import FreeCAD
+import FreeCADGui
 import numpy as np
 import ortho_suite_tools as tools
 from ortho_mouse_tools import Hand
 from ortho_suite_cases import PanelCase
 from ortho_suite_tools import press, wait
 from pivy import coin
+from PySide import QtGui
 
 from freecad_ortho import api, convert
 from freecad_ortho.commands import sources
@@ -102,6 +104,37 @@ class TestDrawing(PanelCase):
         self.hand.release(self.pixel(beside))
         self.assertLess(panel.quadric.distance(panel.drawing.points).max(), 1e-6)
         press("Cancel")
+
+    def test_the_range_of_t_is_automatic_until_it_is_given(self):
+        panel = self.opened("MultiNet")
+        lines = [widget.findChild(QtGui.QLineEdit) for widget in panel.fields["t_range"]._widgets]
+        wait()
+        self.assertEqual([line.text() for line in lines], ["", ""])
+        self.assertEqual([line.placeholderText() for line in lines], ["automatic"] * 2)
+        # Zero is a place like others where only one of both is zero.
+        panel.fields["t_range"].value = (0.0, 4e6)
+        wait()
+        self.assertNotIn("", [line.text() for line in lines])
+        self.assertEqual(panel.fields["t_range"].value, (0.0, 4e6))
+        panel.fields["t_range"].value = (0.0, 0.0)
+        wait()
+        self.assertEqual([line.text() for line in lines], ["", ""])
+        press("Cancel")
+
+    def test_the_range_is_said_in_the_users_language_and_units(self):
+        self.addCleanup(FreeCADGui.setLocale, "English")
+        self.addCleanup(FreeCAD.Units.setSchema, 0)
+        for language, words in (("German", "zulässig ab"), ("French", "admissible à partir de")):
+            FreeCADGui.setLocale(language)
+            FreeCAD.Units.setSchema(1)
+            wait()
+            panel = self.opened("MultiNet")
+            said = panel.message.text()
+            self.assertIn(words, said)
+            self.assertIn("m^2", said.replace("m²", "m^2").replace("mm^2", "?"))
+            self.assertNotIn("mm2", said)
+            self.assertNotIn("admissible from", said)
+            press("Cancel")
 
     def test_backspace_takes_the_last_point(self):
         panel = self.drawn()

@@ -1757,9 +1757,24 @@
    <translation>, {:g}-fach gezeichnet</translation>
   </message>
   <message>
+   <location filename="../../../solver/align/align.py" />
+   <source>1 face is folded; give a shorter edge, or smooth the surface there</source>
+   <translation>1 Masche ist gefaltet; eine kürzere Kante angeben oder die Fläche dort glätten</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>1 mm, slots by material</source>
    <translation>1 mm, Schlitze je Material</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/mesh/mirror.py" />
+   <source>1 vertex merged</source>
+   <translation>1 Ecke vereinigt</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/sources/aligning.py" />
+   <source>1 vertex with {} lines</source>
+   <translation>1 Ecke mit {} Linien</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5910,6 +5925,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Nabe</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/sources/forming.py" />
+   <source>in equilibrium, unbalanced {:.0e}; largest support force {:.3g}</source>
+   <translation>im Gleichgewicht, unausgeglichen {:.0e}; größte Auflagerkraft {:.3g}</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>in the list only</source>
    <translation>nur in der Liste</translation>
@@ -5928,6 +5948,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>inversion</source>
    <translation>Inversion</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/sources/aligning.py" />
+   <source>irregular: {}</source>
+   <translation>irregulär: {}</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5958,6 +5983,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>isothermic: has a dual</source>
    <translation>isotherm: hat ein Dual</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/align/guides.py" />
+   <source>it is made of flat faces that meet at creases: lines along these cannot run along all eaves as well; a net on each face alone (--faces) keeps to its longest side</source>
+   <translation>sie besteht aus ebenen Flächen, die an Knicken aneinanderstoßen: Linien entlang dieser können nicht auch entlang aller Traufen laufen; ein Netz auf jeder Fläche allein (--faces) hält sich an deren längste Seite</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
@@ -6008,6 +6038,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>lift</source>
    <translation>anheben</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/align/remarks.py" />
+   <source>lines bunch near ({}): one edge in {} is shorter than {:.0f} % of what was wanted; try: singular vertices beside that place, or another net</source>
+   <translation>Linien drängen sich bei ({}): eine von {} Kanten ist kürzer als {:.0f} % des Gewünschten; zu versuchen: singuläre Ecken neben dieser Stelle oder ein anderes Netz</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/align/align.py" />
+   <source>lines that follow the surface's own directions closely would run into each other, or bunch, here; these do less so</source>
+   <translation>Linien, die den eigenen Richtungen der Fläche genau folgen, liefen hier ineinander oder drängten sich; diese tun es weniger</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -6268,6 +6308,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>pieces of panels at the border that are narrower than this are slivers</source>
    <translation>Stücke von Platten am Rand, die schmaler sind, sind Splitter</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/align/prepare.py" />
+   <source>pinholes are closed: {}, {} across at most</source>
+   <translation>kleine Löcher sind geschlossen: {}, höchstens {} weit</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -6560,6 +6605,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Streifen werden aus dieser Länge geschnitten; längere werden gestoßen</translation>
   </message>
   <message>
+   <location filename="../../../solver/align/remarks.py" />
+   <source>stroke {} runs at {:.0f} degrees to the lines of a {} net on average: the net follows it, but an exact one near to this surface does not; draw it along these lines, or leave the net as it is aligned</source>
+   <translation>Kurve {} verläuft im Mittel unter {:.0f} Grad zu den Linien eines Netzes der Art {}: das Netz folgt ihr, ein exaktes nahe dieser Fläche aber nicht; sie entlang dieser Linien zeichnen oder das Netz lassen, wie es ausgerichtet ist</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>subdivide</source>
    <translation>unterteilen</translation>
@@ -6568,6 +6618,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
    <source>surface</source>
    <translation>Fläche</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/sources/multinets.py" />
+   <source>t from {} to {}, admissible from {} on</source>
+   <translation>t von {} bis {}, zulässig ab {}</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/sources/multinets.py" />
+   <source>t from {} to {}, admissible from {} to {}</source>
+   <translation>t von {} bis {}, zulässig von {} bis {}</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -6613,6 +6673,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>the bolt holes have this diameter</source>
    <translation>die Schraubenlöcher haben diesen Durchmesser</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/align/remarks.py" />
+   <source>the border runs at {:.0f} degrees to the lines of curvature on average: an exact principal net leaves it; a planar one with some millimetres of flatness, which glides along its boundary, keeps it</source>
+   <translation>der Rand verläuft im Mittel unter {:.0f} Grad zu den Krümmungslinien: ein exaktes Hauptkrümmungsnetz verlässt ihn; ein ebenes mit einigen Millimetern Ebenheit, das an seinem Rand gleitet, hält ihn ein</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
@@ -6703,6 +6768,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>the model's x axis is turned so far from east</source>
    <translation>so weit ist die x-Achse des Modells von Osten gedreht</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/align/symmetry.py" />
+   <source>the net is symmetric in {}</source>
+   <translation>das Netz ist symmetrisch zu {}</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/align/align.py" />
+   <source>the opening at {}, {} across, is too small for faces of this size: lines run over it; a shorter edge keeps it</source>
+   <translation>die Öffnung bei {}, {} weit, ist zu klein für Maschen dieser Größe: Linien laufen über sie hinweg; eine kürzere Kante erhält sie</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
@@ -6798,6 +6873,21 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>the strips stand on the surface, lie in it, or tilt as the net wants it</source>
    <translation>die Streifen stehen auf der Fläche, liegen in ihr oder neigen sich, wie das Netz es will</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/align/symmetry.py" />
+   <source>the surface has no plane of symmetry; the net is made without</source>
+   <translation>die Fläche hat keine Symmetrieebene; das Netz wird ohne gemacht</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/align/guides.py" />
+   <source>the surface is flat or round: every direction is one of curvature; the lines run along its border</source>
+   <translation>die Fläche ist eben oder rund: jede Richtung ist eine der Krümmung; die Linien laufen entlang ihres Randes</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/align/prepare.py" />
+   <source>the surface is rough, by {} within an edge; the net is on a smooth one through it</source>
+   <translation>die Fläche ist rau, um {} innerhalb einer Kante; das Netz liegt auf einer glatten durch sie</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -7025,6 +7115,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>{} Kanten</translation>
   </message>
   <message>
+   <location filename="../../../solver/align/align.py" />
+   <source>{} faces are folded; give a shorter edge, or smooth the surface there</source>
+   <translation>{} Maschen sind gefaltet; eine kürzere Kante angeben oder die Fläche dort glätten</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/documents/display.py" />
    <source>{} is hidden: nothing of this is seen yet</source>
    <translation>{} ist ausgeblendet: davon ist noch nichts zu sehen</translation>
@@ -7090,6 +7185,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>{} Punkte</translation>
   </message>
   <message>
+   <location filename="../../../solver/mesh/mirror.py" />
+   <source>{} separate components</source>
+   <translation>{} getrennte Teile</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/mesh/sampling.py" />
+   <source>{} separate parts: not all faces meet along whole sides</source>
+   <translation>{} getrennte Teile: nicht alle Flächen treffen sich entlang ganzer Seiten</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/source_net.py" />
    <source>{} stays as it is, though its source has changed: optimise it again</source>
    <translation>{} bleibt, wie es ist, obwohl die Quelle sich geändert hat: neu optimieren</translation>
@@ -7098,6 +7203,21 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/panels/residual_plot.py" />
    <source>{} steps</source>
    <translation>{} Schritte</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/mesh/sampling.py" />
+   <source>{} vertices lie beside a seam and could not be joined</source>
+   <translation>{} Ecken liegen neben einer Naht und konnten nicht verbunden werden</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/mesh/mirror.py" />
+   <source>{} vertices merged</source>
+   <translation>{} Ecken vereinigt</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/sources/aligning.py" />
+   <source>{} vertices with {} lines</source>
+   <translation>{} Ecken mit {} Linien</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/source_panel.py" />
@@ -7130,6 +7250,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>{}: {:,} parts, {:,.1f} kg</source>
    <translation>{}: {:,} Teile, {:,.1f} kg</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/mesh/sampling.py" />
+   <source>{}: {} quads at the border had no room and were left out</source>
+   <translation>{}: {} Vierecke am Rand hatten keinen Platz und wurden weggelassen</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/mesh/sampling.py" />
+   <source>{}: {} quads at the border have a straight corner</source>
+   <translation>{}: {} Vierecke am Rand haben eine gestreckte Ecke</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />

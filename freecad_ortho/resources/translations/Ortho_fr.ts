@@ -1757,9 +1757,24 @@
    <translation>, dessinés {:g} fois</translation>
   </message>
   <message>
+   <location filename="../../../solver/align/align.py" />
+   <source>1 face is folded; give a shorter edge, or smooth the surface there</source>
+   <translation>1 face est repliée ; donner une arête plus courte ou lisser la surface à cet endroit</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>1 mm, slots by material</source>
    <translation>1 mm, entailles selon le matériau</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/mesh/mirror.py" />
+   <source>1 vertex merged</source>
+   <translation>1 sommet fusionné</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/sources/aligning.py" />
+   <source>1 vertex with {} lines</source>
+   <translation>1 sommet à {} lignes</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5910,6 +5925,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>moyeu</translation>
   </message>
   <message>
+   <location filename="../../../freecad_ortho/sources/forming.py" />
+   <source>in equilibrium, unbalanced {:.0e}; largest support force {:.3g}</source>
+   <translation>en équilibre, déséquilibre {:.0e} ; plus grande force d'appui {:.3g}</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>in the list only</source>
    <translation>dans la liste seule</translation>
@@ -5928,6 +5948,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>inversion</source>
    <translation>inversion</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/sources/aligning.py" />
+   <source>irregular: {}</source>
+   <translation>irréguliers : {}</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -5958,6 +5983,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>isothermic: has a dual</source>
    <translation>isotherme : a un dual</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/align/guides.py" />
+   <source>it is made of flat faces that meet at creases: lines along these cannot run along all eaves as well; a net on each face alone (--faces) keeps to its longest side</source>
+   <translation>elle est faite de faces planes qui se rejoignent à des plis : des lignes le long de ceux-ci ne peuvent pas suivre aussi toutes les rives ; un réseau sur chaque face seule (--faces) suit son plus long côté</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/constraint_box.py" />
@@ -6008,6 +6038,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>lift</source>
    <translation>relever</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/align/remarks.py" />
+   <source>lines bunch near ({}): one edge in {} is shorter than {:.0f} % of what was wanted; try: singular vertices beside that place, or another net</source>
+   <translation>des lignes se serrent près de ({}) : une arête sur {} est plus courte que {:.0f} % de ce qui était voulu ; essayer : des sommets singuliers à côté de cet endroit, ou un autre réseau</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/align/align.py" />
+   <source>lines that follow the surface's own directions closely would run into each other, or bunch, here; these do less so</source>
+   <translation>des lignes qui suivent de près les directions propres de la surface se rejoindraient ou se serreraient ici ; celles-ci le font moins</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -6268,6 +6308,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>pieces of panels at the border that are narrower than this are slivers</source>
    <translation>les morceaux de panneaux plus étroits au bord sont des chutes</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/align/prepare.py" />
+   <source>pinholes are closed: {}, {} across at most</source>
+   <translation>petits trous fermés : {}, larges de {} au plus</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -6560,6 +6605,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>les bandes sont coupées dans cette longueur ; les plus longues sont éclissées</translation>
   </message>
   <message>
+   <location filename="../../../solver/align/remarks.py" />
+   <source>stroke {} runs at {:.0f} degrees to the lines of a {} net on average: the net follows it, but an exact one near to this surface does not; draw it along these lines, or leave the net as it is aligned</source>
+   <translation>la courbe {} fait en moyenne {:.0f} degrés avec les lignes d'un réseau {} : le réseau la suit, mais pas un réseau exact près de cette surface ; la dessiner le long de ces lignes, ou laisser le réseau tel qu'il est aligné</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>subdivide</source>
    <translation>subdiviser</translation>
@@ -6568,6 +6618,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
    <source>surface</source>
    <translation>surface</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/sources/multinets.py" />
+   <source>t from {} to {}, admissible from {} on</source>
+   <translation>t de {} à {}, admissible à partir de {}</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/sources/multinets.py" />
+   <source>t from {} to {}, admissible from {} to {}</source>
+   <translation>t de {} à {}, admissible de {} à {}</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -6613,6 +6673,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>the bolt holes have this diameter</source>
    <translation>les trous de boulons ont ce diamètre</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/align/remarks.py" />
+   <source>the border runs at {:.0f} degrees to the lines of curvature on average: an exact principal net leaves it; a planar one with some millimetres of flatness, which glides along its boundary, keeps it</source>
+   <translation>le bord fait en moyenne {:.0f} degrés avec les lignes de courbure : un réseau principal exact le quitte ; un réseau plan avec quelques millimètres de planéité, qui glisse le long de son bord, le garde</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
@@ -6703,6 +6768,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>the model's x axis is turned so far from east</source>
    <translation>l'axe x du modèle est tourné d'autant depuis l'est</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/align/symmetry.py" />
+   <source>the net is symmetric in {}</source>
+   <translation>le réseau est symétrique par rapport à {}</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/align/align.py" />
+   <source>the opening at {}, {} across, is too small for faces of this size: lines run over it; a shorter edge keeps it</source>
+   <translation>l'ouverture en {}, large de {}, est trop petite pour des faces de cette taille : des lignes passent dessus ; une arête plus courte la garde</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
@@ -6798,6 +6873,21 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>the strips stand on the surface, lie in it, or tilt as the net wants it</source>
    <translation>les bandes sont debout sur la surface, couchées, ou inclinées comme le veut le réseau</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/align/symmetry.py" />
+   <source>the surface has no plane of symmetry; the net is made without</source>
+   <translation>la surface n'a pas de plan de symétrie ; le réseau est fait sans</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/align/guides.py" />
+   <source>the surface is flat or round: every direction is one of curvature; the lines run along its border</source>
+   <translation>la surface est plane ou ronde : toute direction est une direction de courbure ; les lignes suivent son bord</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/align/prepare.py" />
+   <source>the surface is rough, by {} within an edge; the net is on a smooth one through it</source>
+   <translation>la surface est rugueuse, de {} sur une arête ; le réseau est sur une surface lisse passant par elle</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -7025,6 +7115,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>{} arêtes</translation>
   </message>
   <message>
+   <location filename="../../../solver/align/align.py" />
+   <source>{} faces are folded; give a shorter edge, or smooth the surface there</source>
+   <translation>{} faces sont repliées ; donner une arête plus courte ou lisser la surface à cet endroit</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/documents/display.py" />
    <source>{} is hidden: nothing of this is seen yet</source>
    <translation>{} est masqué : rien de ceci n'est encore visible</translation>
@@ -7090,6 +7185,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>{} points</translation>
   </message>
   <message>
+   <location filename="../../../solver/mesh/mirror.py" />
+   <source>{} separate components</source>
+   <translation>{} parties séparées</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/mesh/sampling.py" />
+   <source>{} separate parts: not all faces meet along whole sides</source>
+   <translation>{} parties séparées : toutes les faces ne se rejoignent pas le long de côtés entiers</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/objects/source_net.py" />
    <source>{} stays as it is, though its source has changed: optimise it again</source>
    <translation>{} reste tel quel, bien que sa source ait changé : l'optimiser à nouveau</translation>
@@ -7098,6 +7203,21 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/panels/residual_plot.py" />
    <source>{} steps</source>
    <translation>{} pas</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/mesh/sampling.py" />
+   <source>{} vertices lie beside a seam and could not be joined</source>
+   <translation>{} sommets sont à côté d'une couture et n'ont pas pu être joints</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/mesh/mirror.py" />
+   <source>{} vertices merged</source>
+   <translation>{} sommets fusionnés</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/sources/aligning.py" />
+   <source>{} vertices with {} lines</source>
+   <translation>{} sommets à {} lignes</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/source_panel.py" />
@@ -7130,6 +7250,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/objects/structure.py" />
    <source>{}: {:,} parts, {:,.1f} kg</source>
    <translation>{} : {:,} pièces, {:,.1f} kg</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/mesh/sampling.py" />
+   <source>{}: {} quads at the border had no room and were left out</source>
+   <translation>{} : {} quadrilatères au bord n'avaient pas la place et ont été omis</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/mesh/sampling.py" />
+   <source>{}: {} quads at the border have a straight corner</source>
+   <translation>{} : {} quadrilatères au bord ont un coin plat</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/check_panel.py" />
