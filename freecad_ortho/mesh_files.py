@@ -19,6 +19,7 @@ from solver.io.obj import ObjData
 from solver.io.polygons import READERS, quads_of, read_polygons
 from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.option import one_of
 
 # Which axis points up in a file; here it is z.
 UP = ("z", "y")
@@ -51,8 +52,7 @@ def upright(points: FloatArray, up: str) -> FloatArray:
     Raises:
         InputError: another axis than y or z.
     """
-    if up not in UP:
-        raise InputError(f"up: expected {' or '.join(UP)}, got '{up}'")
+    one_of("up", up, UP)
     if up == "z":
         return points
     x, y, z = points.T

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from solver.errors import InputError
+from solver.option import one_of
 
 MILLIMETRES = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4, "ft": 304.8}
 
@@ -13,6 +13,5 @@ def millimetres_per(unit: str) -> float:
     Raises:
         InputError: an unknown unit.
     """
-    if unit not in MILLIMETRES:
-        raise InputError(f"unit: expected one of {', '.join(MILLIMETRES)}, got '{unit}'")
+    one_of("unit", unit, MILLIMETRES)
     return MILLIMETRES[unit]

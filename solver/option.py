@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal, NamedTuple
 
@@ -248,9 +248,34 @@ def one_of(name: str, word: object, words: Collection[str]) -> None:
     Raises:
         InputError: naming them.
     """
-    if word not in words:
-        *others, last = words
-        raise InputError(f"{name}: expected {', '.join(others)} or {last}, got {str(word)[:40]!r}")
+    if word not in tuple(words):
+        raise unknown(name, word, words)
+
+
+def unknown(name: str, word: object, words: Iterable[str], also: str = "") -> InputError:
+    """What is raised where a word is none of those there are, nor ``also``, what else may be."""
+    *others, last = words
+    known = f"{', '.join(others)} or {last}" if others else last
+    known = f"{', '.join((*others, last))}, or {also}" if also else known
+    return InputError(f"{name}: expected {known}, got {str(word)[:40]!r}")
+
+
+def number_within(name: str, value: object, within: Range = POSITIVE, unit: str = "") -> None:
+    """Refuse what is no finite number, or not within a range, in the words of options.
+
+    Raises:
+        InputError: naming the range and what came.
+    """
+    Option(name, 0.0, "length" if unit else "number", "", within=within).check(value, unit)
+
+
+def whole_number(name: str, value: object, within: Range) -> None:
+    """Refuse what is no whole number, or not within a range, in the words of options.
+
+    Raises:
+        InputError: naming the range and what came.
+    """
+    Option(name, 0, "count", "", within=within).check(value)
 
 
 def _is_number(value: Any) -> bool:

@@ -89,7 +89,7 @@ def test_verbose_prints_a_line_a_step(mesh_file, tmp_path, capsys):
     ("arguments", "words"),
     [
         (["optimise", "absent.obj", "-o", "out.obj"], "no such file"),
-        (["optimise", "MESH", "-o", "out.obj", "--net", "wiggly"], "net: expected one of"),
+        (["optimise", "MESH", "-o", "out.obj", "--net", "wiggly"], "net: expected "),
         (["optimise", "MESH", "-o", "out.obj", "--fix", "9999"], "fix: vertex 9999"),
         (["optimise", "MESH", "-o", "absent/out.obj"], "does not exist"),
         (["optimise", "MESH", "-o", "out.obj", "--report", "absent/r.json"], "does not exist"),
@@ -100,7 +100,7 @@ def test_verbose_prints_a_line_a_step(mesh_file, tmp_path, capsys):
             "--thickness: expected a finite number, got 'nan'",
         ),
         (["fabricate", "MESH", "-o", "out", "--thickness", "5000"], "does not fit edge"),
-        (["fabricate", "MESH", "-o", "out", "--system", "walls"], "system: expected one of"),
+        (["fabricate", "MESH", "-o", "out", "--system", "walls"], "system: expected "),
         (
             ["fabricate", "MESH", "-o", "out", "--offset", "left"],
             "--offset: expected above, centre",

@@ -287,7 +287,7 @@ def test_the_advisor_knows_where_asymptotic_lines_are(tmp_path, capsys):
         (["--tension"], "--forces: only stress nets have it, not principal"),
         (["--forces", "pull"], "--forces: expected free, compression or tension, got 'pull'"),
         (["--net", "cmc", "--radius", "1 furlong"], "--radius: expected a finite number"),
-        (["--net", "fishing"], "net: expected one of principal, planar, planar-lines"),
+        (["--net", "fishing"], "net: expected principal, planar, planar-lines"),
         (["--load-area", "3"], "--load-area: only stress nets have it"),
         (["--net", "stress", "--supports", "1,2"], "would be a mechanism"),
         (["--net", "cmc", "--radius", "-1"], "radius: expected a number above 0, got -1"),

@@ -18,7 +18,15 @@ from solver import InputError
 from solver.mesh import remesh
 from solver.nets.options import OPTIONS
 from solver.nets.settings import WEIGHTS
-from solver.option import NUMBERS, POSITIVE, Option, Range
+from solver.option import (
+    NUMBERS,
+    POSITIVE,
+    Option,
+    Range,
+    number_within,
+    one_of,
+    whole_number,
+)
 
 LENGTH = Option("edge", 0.0, "length", "Wanted edge length")
 ANGLES = Option("angles", (0.0, 360.0), "angle", "First and last angle")
@@ -152,6 +160,24 @@ def test_systems_that_share_an_option_mean_the_same_by_it():
             assert len(set(map(repr, found.values()))) == 1, name
         kinds = {(option.kind, option.parts, option.choices) for option in found.values()}
         assert len(kinds) == 1, name
+
+
+@pytest.mark.parametrize(
+    ("check", "words"),
+    [
+        (lambda: one_of("way", "fil", ("drop", "fill")), "way: expected drop or fill, got 'fil'"),
+        (lambda: one_of("curve", 3, {"wave": 1}), "curve: expected wave, got '3'"),
+        (lambda: one_of("curve", ["a"], {"wave": 1}), r"""curve: expected wave, got "\['a'\]\""""),
+        (lambda: number_within("scale", -1), "scale: expected a number above 0, got -1"),
+        (lambda: number_within("wall", 0, unit="mm"), "wall: expected a number above 0 mm, got 0"),
+        (lambda: number_within("scale", math.nan), "scale: expected a number, got nan"),
+        (lambda: whole_number("rings", 1, Range(2)), "rings: .* whole number, 2 or more, got 1"),
+        (lambda: whole_number("rings", 2.5, Range(2)), "rings: .* whole number, .* got 2.5"),
+    ],
+)  # fmt: skip
+def test_the_same_fault_is_told_in_the_same_words_where_no_option_is_declared(check, words):
+    with pytest.raises(InputError, match=words):
+        check()
 
 
 def test_the_help_says_the_ends_of_a_range():

@@ -276,7 +276,7 @@ def test_formfind_from_flat_to_minimal(tmp_path, capsys):
             "--curve: expected a file of points on the",
         ),
         ("multinet --axes 9,5,2 --sampling 4x4", "one of the arguments --moving --quadric is"),
-        ("primitive cube --sampling 4x4", "NAME: expected one of catenoid, cone"),
+        ("primitive cube --sampling 4x4", "NAME: expected catenoid, cone"),
         ("primitive sphere --sampling 4x4 --set radius", "--set: expected PARAMETER=VALUE"),
         (
             "primitive sphere --sampling 4x4 --set radius=x",

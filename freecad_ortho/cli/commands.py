@@ -20,9 +20,10 @@ from freecad_ortho.cli import (
     tolerating,
     values,
 )
+from freecad_ortho.cli import options as arguments
 from freecad_ortho.cli.endings import EXIT_BAD_INPUT, EXIT_NOT_CONVERGED, EXIT_OK
 from freecad_ortho.units import MILLIMETRES, millimetres_per
-from solver.analysis.build_score import build_score
+from solver.analysis.build_score import SECTIONS, build_score
 from solver.errors import OrthoError, cannot_be_written
 from solver.nets import NETS
 
@@ -101,9 +102,7 @@ def _add_check(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--build", action="store_true", help="how easily a grid shell on it is built, as freeGrid"
     )
-    parser.add_argument(
-        "--sections", type=int, default=1, metavar="N", help="cross sections of its beams (1)"
-    )
+    arguments.add(parser, SECTIONS)
     parser.set_defaults(run=_check)
 
 
@@ -125,7 +124,8 @@ def _check(options: argparse.Namespace) -> int:
     read = reporting.read_net(options, mixed=True)
     result = {"file": options.input, "unit": read.unit, **api.check(read.mesh)}
     if options.build:
-        score = build_score(read.mesh, millimetres_per(read.unit), options.sections)
+        counts = arguments.given((SECTIONS,), options)
+        score = build_score(read.mesh, millimetres_per(read.unit), **counts)
         result["build"] = score.as_dict()
     text = json.dumps(result, indent=2) if options.json else reporting.check_table(result)
     sys.stdout.write(text + "\n")

@@ -18,6 +18,7 @@ from freecad_ortho.fabrication.packages import missing_package_named
 from freecad_ortho.fabrication.report.way import Way
 from freecad_ortho.fabrication.site import FAMILY_CHOICES
 from freecad_ortho.fabrication.systems import SYSTEMS
+from freecad_ortho.fabrication.workers import WORKERS
 from freecad_ortho.fabrication.workshop import Workshop
 from freecad_ortho.units import millimetres_per
 from solver.errors import InputError
@@ -41,7 +42,7 @@ def add(parser: argparse.ArgumentParser) -> None:
 
 def add_workers(parser: argparse.ArgumentParser) -> None:
     """Add the option that says how many share the work; the files are the same."""
-    parser.add_argument("--workers", type=int, metavar="N", help="processes that share the work")
+    arguments.add(parser, WORKERS)
 
 
 def add_settings(parser: argparse.ArgumentParser) -> None:
@@ -134,6 +135,8 @@ def fabricated(
     """
     workshop = arguments.given(Workshop.options, options)
     Workshop.of(workshop)
+    shared = arguments.given((WORKERS,), options)
+    WORKERS.check(shared.get(WORKERS.name))
     scale = millimetres_per(read.unit)
     structure = api.fabricate(
         read.mesh,
@@ -162,7 +165,7 @@ def fabricated(
             structure,
             options.output,
             say,
-            workers=options.workers,
+            **shared,
             project=project,
             way=way,
             check=options.check,

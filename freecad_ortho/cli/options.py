@@ -11,10 +11,9 @@ from scipy.spatial.transform import Rotation
 
 from freecad_ortho.cli import values
 from freecad_ortho.written import LOADS, number
-from solver.errors import InputError
 from solver.io.points import read_points
 from solver.mesh.quadmesh import FloatArray
-from solver.option import NUMBERS, Option
+from solver.option import NUMBERS, Option, unknown
 
 # What stands for a value in the help, a letter for each where there are several.
 _WRITTEN = {
@@ -227,8 +226,7 @@ def _word(name: str, text: str, choices: tuple[str, ...], own: bool) -> str:
         return text if text in choices else meant[0]
     if own:
         return text
-    *others, last = choices
-    raise InputError(f"{name}: expected {', '.join(others)} or {last}, got '{text[:40]}'")
+    raise unknown(name, text, choices)
 
 
 def _plain(text: str, kind: str, unit: str, bare: str) -> str:

@@ -29,6 +29,7 @@ from freecad_ortho.units import millimetres_per
 from solver.errors import InputError
 from solver.mesh.mirror import size_of
 from solver.mesh.seams import MEETING
+from solver.option import one_of
 
 # Commands that change a mesh, and what they are called in the table.
 _CHANGES = {
@@ -148,8 +149,7 @@ def _add_primitive(parser: argparse.ArgumentParser) -> None:
 def _primitive(options: argparse.Namespace) -> int:
     values.refuse_unwritable(options.output)
     names = GROUPS["primitive"]
-    if options.name not in names:
-        raise InputError(f"NAME: expected one of {', '.join(names)}, got '{options.name}'")
+    one_of("NAME", options.name, names)
     entry, unit = source(options.name), options.unit or _UNNAMED
     known = [option.name for option in entry.options if option.kind != "placement"]
     formers = [option.former.name for option in entry.options if option.former is not None]

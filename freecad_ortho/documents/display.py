@@ -9,6 +9,7 @@ import FreeCAD
 from freecad_ortho.documents.common import require_net, transaction
 from freecad_ortho.objects.net import COLOUR_MAPS
 from solver.errors import InputError
+from solver.option import one_of
 
 
 def show_net(
@@ -34,10 +35,8 @@ def show_net(
         InputError: an unknown name, or a range without width; nothing was changed.
     """
     require_net(net)
-    if colour_map is not None and colour_map not in COLOUR_MAPS:
-        raise InputError(
-            f"colour map: expected one of {', '.join(COLOUR_MAPS)}, got '{colour_map}'"
-        )
+    if colour_map is not None:
+        one_of("colour map", colour_map, COLOUR_MAPS)
     if value_range is not None and not value_range[0] < value_range[1]:
         low, high = value_range
         raise InputError(f"range: expected a lower and a higher value, got {low} and {high}")

@@ -15,7 +15,6 @@ from freecad_ortho.documents.systems import add_beams
 from freecad_ortho.objects import net as net_object
 from freecad_ortho.packages import HOME
 from solver import QuadMesh
-from solver.errors import InputError
 from solver.formfinding import CableNet, Membrane, VertexLoads, find_form, supported
 from solver.mesh.coarsen import compact
 from solver.mesh.diagonal import diagonal_meshes
@@ -23,6 +22,7 @@ from solver.mesh.grid import grid_mesh
 from solver.mesh.primitives import rectangle
 from solver.multinet import elliptic_net, reflected
 from solver.multinet.presets import preset
+from solver.option import one_of
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
@@ -54,8 +54,7 @@ def open_example(name: str) -> FreeCAD.Document:
         InputError: no such example.
         OrthoError: it cannot be built; no document is left behind.
     """
-    if name not in EXAMPLES:
-        raise InputError(f"example: expected one of {', '.join(EXAMPLES)}, got '{name}'")
+    one_of("example", name, EXAMPLES)
     example = EXAMPLES[name]
     document = FreeCAD.newDocument(name)
     document.Label = FreeCAD.Qt.translate("Ortho_Examples", example.title)

@@ -22,7 +22,7 @@ from solver.nets.constraints import Constraints
 from solver.nets.options import OPTIONS, NetOptions
 from solver.nets.settings import WEIGHTS, fixed_vertices
 from solver.nets.supports import SUPPORTS, supports_of
-from solver.option import Option
+from solver.option import Option, one_of
 
 
 @dataclass(frozen=True)
@@ -42,8 +42,7 @@ class _Plain:
 
 def _choice(word: str, name: str, choices: Iterable[str]) -> _Plain:
     def write(value: str) -> str:
-        if value not in choices:
-            raise InputError(f"{word}: expected one of {', '.join(choices)}, got '{value}'")
+        one_of(word, value, choices)
         return value
 
     return _Plain(name, str, write)

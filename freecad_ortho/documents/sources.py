@@ -21,6 +21,7 @@ from freecad_ortho.sources import GROUPS, source
 from solver.errors import InputError
 from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.remesh import quads_from_triangles
+from solver.option import one_of
 
 if TYPE_CHECKING:
     # Of the standard library from Python 3.11 on.
@@ -151,9 +152,7 @@ def add_primitive(
     Raises:
         InputError: no such primitive or option; the document is unchanged.
     """
-    if name not in GROUPS["primitive"]:
-        known = ", ".join(GROUPS["primitive"])
-        raise InputError(f"primitive: expected one of {known}, got '{name}'")
+    one_of("primitive", name, GROUPS["primitive"])
     return add_source(name, document=document, **options)
 
 

@@ -22,6 +22,7 @@ from freecad_ortho.standing import write_structural_check
 from freecad_ortho.structural.design import Design
 from freecad_ortho.structural.sizing_groups import ALL, FAMILIES
 from solver.errors import InputError
+from solver.option import one_of
 
 if TYPE_CHECKING:
     # Of the standard library from Python 3.11 on.
@@ -113,8 +114,7 @@ def size_structural_check(
         OrthoError: Esc was pressed; it is unchanged.
     """
     require_check(target)
-    if groups not in (ALL, FAMILIES):
-        raise InputError(f"groups: expected {ALL} or {FAMILIES}, got '{groups[:40]}'")
+    one_of("groups", groups, (ALL, FAMILIES))
     title = FreeCAD.Qt.translate("Ortho", "Finding the lightest section")
     with progress(title) as say:
         found = structural_check.sized(target, sections, groups, say)

@@ -30,6 +30,7 @@ from freecad_ortho.objects.option_properties import stored, with_capital
 from freecad_ortho.objects.structural_check import is_check
 from freecad_ortho.objects.system_properties import PANEL_THICKNESS, options_of, values
 from solver.errors import InputError
+from solver.option import one_of
 
 if TYPE_CHECKING:
     # Of the standard library from Python 3.11 on.
@@ -88,8 +89,7 @@ def add_structure(
             unchanged.
     """
     require_net(net)
-    if system not in SYSTEMS:
-        raise InputError(f"system: expected one of {', '.join(SYSTEMS)}, got '{system}'")
+    one_of("system", system, SYSTEMS)
     common = {"beams": beams, "family": family, "lines": lines, "material": material}
     common |= {"trimmed": trimmed, "density": density}
     properties = _properties(system, {**common, **sizes})

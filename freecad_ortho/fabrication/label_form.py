@@ -6,6 +6,7 @@ import re
 from dataclasses import dataclass
 
 from solver.errors import InputError
+from solver.option import unknown
 
 # Width and height, mm: ISO 216, and the letter size of North America.
 _PAPERS = {"a4": (210.0, 297.0), "letter": (215.9, 279.4)}
@@ -77,9 +78,8 @@ def label_form(words: str) -> LabelForm:
     plain = words.strip().lower().removeprefix("a4-")
     match = _WORDS.fullmatch(plain)
     if match is None or (match[4] is None and plain not in _KNOWN):
-        raise InputError(
-            f"label sheet: expected one of {', '.join(_KNOWN)}, or columns and rows with margins "
-            f"in mm as 3x9:5x12, got '{words[:40]}'"
+        raise unknown(
+            "label sheet", words, _KNOWN, "columns and rows with margins in mm as 3x9:5x12"
         )
     paper = _PAPERS[match[1] or "a4"]
     counts = int(match[2]), int(match[3])

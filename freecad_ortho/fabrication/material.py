@@ -20,6 +20,7 @@ from freecad_ortho.fabrication.build_up import (
 from freecad_ortho.fabrication.plate_limits import LIMITS, PlateLimits
 from freecad_ortho.fabrication.sizes import positive
 from solver.errors import InputError
+from solver.option import unknown
 
 # Float glass: modulus, MPa, and Poisson's ratio of EN 572-1 (EN 16612 has 0.23, which gives 2 %
 # less shear).
@@ -243,10 +244,8 @@ def material(name: str = "steel", density: float | None = None) -> Material:
     if made is None and unit is not None:
         made = insulating_unit(*map(float, unit[1][1:].split("-")))
     if made is None:
-        raise InputError(
-            f"material: expected one of {', '.join(MATERIALS)}, or a build-up such as "
-            f"{BUILD_UPS[1]} or {BUILD_UPS[3]}, got '{name}'"
-        )
+        also = f"a build-up such as {BUILD_UPS[1]} or {BUILD_UPS[3]}"
+        raise unknown("material", name, MATERIALS, also)
     return made if density is None else replace(made, density=density)
 
 
@@ -270,7 +269,7 @@ def materials_of(
         system, equals, name = (word.strip() for word in entry.rpartition("="))
         if equals and (system not in systems or system in single):
             raise InputError(
-                f"material: expected one of {', '.join(systems)} before '=', each once, got "
+                f"material: expected {', '.join(systems)} before '=', each once, got "
                 f"'{entry.strip()}'"
             )
         if equals:

@@ -8,7 +8,7 @@ from dataclasses import fields
 from typing import TYPE_CHECKING
 
 from solver.errors import InputError
-from solver.option import POSITIVE, Option
+from solver.option import POSITIVE, Option, number_within
 
 if TYPE_CHECKING:
     from _typeshed import DataclassInstance
@@ -29,9 +29,7 @@ def positive(name: str, value: float, unit: str) -> None:
     Raises:
         InputError: naming the value.
     """
-    number = isinstance(value, (int, float)) and not isinstance(value, bool)
-    if not number or not math.isfinite(value) or value <= 0:
-        raise InputError(f"{name}: expected a number above 0 {unit}, got {value}; give a size")
+    number_within(name, value, unit=unit)
 
 
 def check_size(name: str, value: float) -> None:

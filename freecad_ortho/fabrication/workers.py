@@ -14,6 +14,7 @@ from typing import TypeVar
 
 from freecad_ortho.processes import end_with_parent
 from solver.errors import InputError
+from solver.option import Option, Range
 
 Given = TypeVar("Given")
 Made = TypeVar("Made")
@@ -55,6 +56,9 @@ def in_chunks(
     return made
 
 
+WORKERS = Option("workers", None, "count", "So many processes share the work", within=Range(1, 256))
+
+
 @contextmanager
 def local_pool(workers: int | None) -> Iterator[Executor | None]:
     """Give a pool of processes on this machine, None for no or one worker.
@@ -68,8 +72,7 @@ def local_pool(workers: int | None) -> Iterator[Executor | None]:
     if workers is None or workers == 1:
         yield None
         return
-    if not isinstance(workers, int) or not 1 < workers <= 256:
-        raise InputError(f"workers: expected 1 to 256 processes, got {workers}")
+    WORKERS.check(workers)
     before = spawn.get_executable()
     spawn.set_executable(interpreter())
     try:

@@ -9,7 +9,7 @@ from freecad_ortho.sources.forming import FORM
 from freecad_ortho.sources.multinets import ELLIPTIC_NET, MULTI_NET
 from freecad_ortho.sources.primitives import primitive_sources
 from freecad_ortho.sources.source import Source
-from solver.errors import InputError
+from solver.option import one_of
 
 _PRIMITIVES = primitive_sources()
 
@@ -39,6 +39,5 @@ def source(name: str) -> Source:
     Raises:
         InputError: there is none.
     """
-    if name not in SOURCES:
-        raise InputError(f"source: expected one of {', '.join(SOURCES)}, got '{name}'")
+    one_of("source", name, SOURCES)
     return SOURCES[name]

@@ -19,6 +19,9 @@ from solver.analysis.kinds import kinds_within, laid, spokes
 from solver.errors import InputError
 from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
+from solver.option import Option, Range
+
+SECTIONS = Option("sections", 1, "count", "Its beams have so many cross sections", within=Range(1))
 
 # Joints are of one kind where the tips of their unit directions miss by so much on average.
 JOINTS_ALIKE = 0.01
@@ -71,8 +74,7 @@ def build_score(mesh: QuadMesh, millimetres: float, sections: int = 1) -> BuildS
     Raises:
         InputError: no cross section, or no beam that is long enough to be one.
     """
-    if sections < 1:
-        raise InputError(f"sections: expected 1 or more, got {sections}")
+    SECTIONS.check(sections)
     lengths = mesh.edge_lengths * (millimetres / 1000)
     beams = lengths[lengths > SHORTEST_M]
     if len(beams) < 2:

@@ -18,6 +18,7 @@ from solver.mesh.closest import TriangleSurface
 from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
 from solver.nets import NETS, Measure, all_measures
 from solver.offset.axes import torsion_free_axes
+from solver.option import one_of
 
 FACES, VERTICES, EDGES = "faces", "vertices", "edges"
 
@@ -59,8 +60,7 @@ def field(mesh: QuadMesh, name: str, reference: TriangleSurface | None = None) -
         InputError: unknown name, or a gap without a reference.
     """
     known = fields()
-    if name not in known:
-        raise InputError(f"field: expected one of {', '.join(known)}, got '{name}'")
+    one_of("field", name, known)
     return known[name](mesh, reference)
 
 

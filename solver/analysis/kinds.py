@@ -17,6 +17,7 @@ from scipy.spatial import cKDTree
 from solver.errors import InputError
 from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
+from solver.option import number_within
 
 PANELS, EDGES, NODES = "panels", "edges", "nodes"
 REPEATED = (PANELS, EDGES, NODES)
@@ -91,8 +92,7 @@ def kinds_within(mesh: QuadMesh, of: str, within: float) -> Kinds:
         InputError: another word, or a tolerance that is no positive number.
     """
     refuse_unknown_parts(of)
-    if not (np.isfinite(within) and within > 0):
-        raise InputError(f"kinds: expected a positive tolerance, got {within}")
+    number_within("tolerance of kinds", within)
     if of == EDGES:
         return _lengths(mesh.edge_lengths, within)
     count = len(mesh.faces) if of == PANELS else len(mesh.vertices)

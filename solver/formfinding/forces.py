@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
+from solver.option import NOT_NEGATIVE, number_within
 
 
 class Tension(Protocol):
@@ -84,10 +85,8 @@ class Membrane:
     linear: bool = field(default=False, init=False)
 
     def __post_init__(self) -> None:
-        if not (np.isfinite(self.stress) and self.stress > 0):
-            raise InputError(f"stress: expected a positive number, got {self.stress:g}")
-        if not (np.isfinite(self.cable) and self.cable >= 0):
-            raise InputError(f"cable: expected a force of 0 or more, got {self.cable:g}")
+        number_within("stress", self.stress)
+        number_within("cable", self.cable, NOT_NEGATIVE)
 
     def links(self, mesh: QuadMesh) -> tuple[IntArray, FloatArray]:
         """Sides and diagonals of all faces with cotangent densities, and the cables."""

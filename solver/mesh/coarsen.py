@@ -10,6 +10,7 @@ from solver.errors import InputError
 from solver.mesh.connectivity import Connectivity, IntArray
 from solver.mesh.grid import grid_mesh, grid_of
 from solver.mesh.quadmesh import QuadMesh
+from solver.option import Range, whole_number
 
 
 def coarsened(mesh: QuadMesh, every: int = 2, seed: int | None = None) -> QuadMesh:
@@ -28,8 +29,7 @@ def coarsened(mesh: QuadMesh, every: int = 2, seed: int | None = None) -> QuadMe
         InputError: k below 2, or lines that do not fit; a mesh of grid type goes through
             :func:`coarsened_grid` instead, which can keep the last line.
     """
-    if every < 2:
-        raise InputError(f"every: expected at least 2, got {every}")
+    whole_number("every", every, Range(2))
     net = mesh.connectivity
     faces = _blocks(net, every, _seed(net) if seed is None else seed)
     if len(faces) * every**2 != len(mesh.faces):
@@ -171,8 +171,7 @@ def without_border(mesh: QuadMesh, rings: int = 1) -> QuadMesh:
     Raises:
         InputError: fewer than one ring, or nothing left.
     """
-    if rings < 1:
-        raise InputError(f"rings: expected at least 1, got {rings}")
+    whole_number("rings", rings, Range(1))
     for _ in range(rings):
         touched = mesh.connectivity.boundary_vertices[mesh.faces].any(axis=1)
         mesh = compact(mesh, mesh.faces[~touched])

@@ -15,6 +15,7 @@ from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray, Connectivity, IntArray
 from solver.mesh.groups import components_of
 from solver.mesh.quadmesh import FloatArray, QuadMesh, refuse_other
+from solver.option import one_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -114,8 +115,7 @@ def diagonal_meshes(mesh: QuadMesh, boundary: str = "drop") -> DiagonalPair:
         InputError: not two-colourable, unused vertices, or a mesh too small for a diagonal face.
     """
     refuse_other(mesh)
-    if boundary not in ("drop", "fill"):
-        raise InputError(f"boundary: expected drop or fill, got '{boundary}'")
+    one_of("boundary", boundary, ("drop", "fill"))
     net = mesh.connectivity
     if not net.referenced.all():
         raise InputError("diagonal mesh: vertices without faces; remove them first")

@@ -51,7 +51,7 @@ OPTIONS = (
     Option(
         *("faces", None, "count", "there are about so many quads"),
         brief="wanted number of quads",
-        within=Range(1),
+        within=Range(4, _MOST),
     ),
     Option(
         *("edge", None, "length", "quads have edges about this long"),
@@ -120,10 +120,12 @@ def quads_from_triangles(
         InputError: a triangle soup, bad targets, the library missing, hanging or failing, or an
             opening that would be closed.
     """
+    for option, value in zip(OPTIONS, (faces, edge, corner, seed, time_limit), strict=True):
+        option.check(value, "")
     points, corners = sound_triangles(vertices, triangles)
     wanted = _target(points, corners, faces, edge)
     given = _Given.of(points, corners, corner, seed)
-    until = time.monotonic() + _allowed(time_limit)
+    until = time.monotonic() + time_limit
     lost: Misfit | None = None
     for tried in dict.fromkeys(min(round(wanted * factor), _MOST) for factor in _FINER):
         left = time_limit if lost is None else max(until - time.monotonic(), _LEAST)
@@ -158,14 +160,6 @@ class _Given:
         loops = Loops.of(points, triangles)
         surface = TriangleSurface(points, triangles)
         return cls(points, triangles, surface, loops, _border(loops, corner), seed)
-
-
-def _allowed(time_limit: float) -> float:
-    if not 0 < time_limit <= _LONGEST:
-        raise InputError(
-            f"time limit: expected seconds above 0, {_LONGEST:g} at most, got {time_limit:g}"
-        )
-    return time_limit
 
 
 def _tried(
@@ -234,13 +228,13 @@ def _target(points: FloatArray, corners: IntArray, faces: int | None, edge: floa
     if (faces is None) == (edge is None):
         raise InputError("remesh: expected either a number of faces or an edge length; give one")
     if edge is not None:
-        if not (np.isfinite(edge) and edge > 0):
-            raise InputError(f"edge: expected a positive length, got {edge:g}")
-        quotient = _area(points, corners) / edge / edge
-        faces = round(min(quotient, 1e18))
+        faces = round(min(_area(points, corners) / edge / edge, 1e18))
+        if not OPTIONS[0].range.holds(faces):
+            raise InputError(
+                f"edge: expected a length that gives {OPTIONS[0].range.words('quads')}, {edge:g} "
+                f"gives {faces}; change it"
+            )
     assert faces is not None
-    if not 4 <= faces <= _MOST:
-        raise InputError(f"faces: expected 4 to {_MOST} quads, got {faces}; change the target")
     return faces
 
 

@@ -17,6 +17,7 @@ from solver.mesh.intersections import crossing_faces
 from solver.mesh.join import joined
 from solver.mesh.mirror import size_of
 from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.option import number_within, one_of
 from solver.sentence import Sentence
 
 # Points on a line by which lengths are measured; lines of each family for that; points a side for
@@ -135,10 +136,8 @@ def sampled(
     """
     if not surfaces:
         raise InputError("faces: expected at least one, got none; select a face")
-    if spacing not in ("length", "parameter"):
-        raise InputError(f"spacing: expected length or parameter, got '{spacing}'")
-    if outside not in ("snap", "drop"):
-        raise InputError(f"outside: expected snap or drop, got '{outside}'")
+    one_of("spacing", spacing, ("length", "parameter"))
+    one_of("outside", outside, ("snap", "drop"))
     outlines = [_Outline(surface) for surface in surfaces]
     numbers = _counts(outlines, counts, edge)
     blend = len(surfaces) > 1 and spacing == "length"
@@ -217,8 +216,8 @@ def _counts(
     """Vertices along u and v of each surface; directions joined by shared sides have one count."""
     if (counts is None) == (edge is None):
         raise InputError("sampling: expected either counts or an edge length; give one")
-    if edge is not None and not (np.isfinite(edge) and edge > 0):
-        raise InputError(f"edge: expected a positive length, got {edge:g}")
+    if edge is not None:
+        number_within("edge", edge)
     label = _directions(outlines)
     chosen: dict[int, int] = {}
     for surface, outline in enumerate(outlines):

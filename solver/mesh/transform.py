@@ -9,6 +9,7 @@ from scipy.spatial.transform import Rotation
 from solver.errors import InputError
 from solver.mesh.mirror import size_of
 from solver.mesh.quadmesh import QuadMesh
+from solver.option import number_within
 
 
 def similarity(
@@ -31,8 +32,7 @@ def similarity(
     Raises:
         InputError: a scale that is not positive, or vectors of another shape.
     """
-    if not (np.isfinite(scale) and scale > 0):
-        raise InputError(f"scale: expected a positive number, got {scale:g}; mirror to reflect")
+    number_within("scale", scale)
     angles, shift, fixed = (
         _vector(name, value)
         for name, value in (("turn", degrees), ("move", move), ("centre", centre))
@@ -55,8 +55,7 @@ def inverted(mesh: QuadMesh, centre: ArrayLike, radius: float) -> QuadMesh:
         InputError: a radius that is not positive, or a vertex at the centre.
     """
     fixed = _vector("centre", centre)
-    if not (np.isfinite(radius) and radius > 0):
-        raise InputError(f"radius: expected a positive number, got {radius:g}")
+    number_within("radius", radius)
     arms = mesh.vertices - fixed
     squares = (arms**2).sum(axis=1)
     near = int(np.argmin(squares))
@@ -84,8 +83,7 @@ def moebius(mesh: QuadMesh, centre: ArrayLike, strength: float = 1.0) -> QuadMes
     Raises:
         InputError: a centre at the mean point or at a vertex, or a strength that is not positive.
     """
-    if not (np.isfinite(strength) and strength > 0):
-        raise InputError(f"strength: expected a positive number, got {strength:g}")
+    number_within("strength", strength)
     middle = mesh.vertices[mesh.connectivity.referenced].mean(axis=0)
     arm = (_vector("centre", centre) - middle) / strength
     distance = float(np.linalg.norm(arm))

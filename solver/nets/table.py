@@ -12,6 +12,7 @@ from pathlib import Path
 
 from solver.errors import InputError
 from solver.nets.net import Measure, Net
+from solver.option import one_of
 
 NETS: dict[str, Net] = {}
 
@@ -46,8 +47,7 @@ def net_named(name: str) -> Net:
     Raises:
         InputError: there is none.
     """
-    if name not in NETS:
-        raise InputError(f"net: expected one of {', '.join(NETS)}, got '{name}'")
+    one_of("net", name, NETS)
     return NETS[name]
 
 

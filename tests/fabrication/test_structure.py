@@ -42,8 +42,8 @@ def test_systems_come_in_the_order_of_building_with_their_defaults():
 @pytest.mark.parametrize(
     ("names", "values", "words"),
     [
-        ("", {}, "system: expected one of edge-beam, beams, nodes"),
-        ("beams+beams", {}, "system: expected one of"),
+        ("", {}, "system: expected edge-beam, beams, nodes"),
+        ("beams+beams", {}, "system: expected "),
         ("walls", {}, "got 'walls'"),
         ("beams", {"colour": 1}, "colour: no system has such a size"),
         (
@@ -87,7 +87,7 @@ def test_lines_that_are_not_there_are_refused(roof):
 
 
 def test_unknown_material_is_refused(roof):
-    with pytest.raises(InputError, match=r"material: expected one of steel.*got 'gold'"):
+    with pytest.raises(InputError, match=r"material: expected steel.*got 'gold'"):
         api.fabricate(roof, material="gold")
 
 

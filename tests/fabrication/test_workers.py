@@ -39,10 +39,13 @@ def test_progress_may_stop_the_work():
         in_chunks(squares, list(range(500)), pool, stop)
 
 
-@pytest.mark.parametrize("workers", [0, -2, 1000, "many"])
+@pytest.mark.parametrize("workers", [0, -2, 1000, 2.5])
 def test_bad_numbers_of_workers(workers):
-    with pytest.raises(InputError, match="workers: expected 1 to 256"), local_pool(workers):
+    words = f"workers: expected a whole number, 1 to 256, got {workers}"
+    with pytest.raises(InputError, match=words), local_pool(workers):
         pass
+    with pytest.raises(InputError, match="workers: expected a number, got 'many'"):
+        local_pool("many").__enter__()
 
 
 def test_no_pool_for_one():

@@ -81,7 +81,7 @@ class TestExamples(FirstStepsCase):
         self.assertGreater(QtGui.QImage(path).width(), 0)
 
     def test_an_unknown_one_is_said(self):
-        with self.assertRaisesRegex(InputError, "expected one of Roof"):
+        with self.assertRaisesRegex(InputError, "expected Roof"):
             api.open_example("Castle")
         self.assertFalse(FreeCAD.listDocuments())
 

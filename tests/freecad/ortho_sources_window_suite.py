@@ -71,7 +71,7 @@ class TestPanels(SourceWindowCase):
         panel.choice.setCurrentIndex(GROUPS["primitive"].index("sphere"))
         panel.fields["radius"].value = 0.0
         panel.look()
-        self.assertIn("radius: expected a positive number", panel.message.text())
+        self.assertIn("radius: expected a number above 0", panel.message.text())
         press("Ok")
         self.assertIn("radius", self.errors.pop())
         self.assertTrue(FreeCADGui.Control.activeDialog())

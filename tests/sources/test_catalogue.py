@@ -105,7 +105,7 @@ def test_bad_options_get_one_line(name, options, words):
 
 
 def test_no_such_source():
-    with pytest.raises(InputError, match="expected one of catenoid"):
+    with pytest.raises(InputError, match="expected catenoid"):
         source("magic")
 
 

@@ -19,6 +19,7 @@ from freecad_ortho.fabrication.systems.patches import Patches
 from freecad_ortho.fabrication.systems.shared_options import USUAL_CLEARANCE
 from freecad_ortho.fabrication.systems.system import System, SystemParts
 from solver.errors import InputError
+from solver.option import unknown
 
 # In the order in which they are built: later ones may lie on earlier ones.
 SYSTEMS: dict[str, type[System]] = {
@@ -69,11 +70,8 @@ def systems_of(
             cannot be used.
     """
     wanted = names.split("+")
-    unknown = [name for name in wanted if name not in SYSTEMS]
-    if unknown or len(set(wanted)) < len(wanted):
-        raise InputError(
-            f"system: expected one of {', '.join(SYSTEMS)}, or several joined by '+', got '{names}'"
-        )
+    if set(wanted) - set(SYSTEMS) or len(set(wanted)) < len(wanted):
+        raise unknown("system", names, SYSTEMS, "several joined by '+'")
     _refuse_unknown(wanted, values)
     ends = ENDS_OF.get(values.get("node", "hub"))
     if "nodes" in wanted and ends is not None:

@@ -20,6 +20,7 @@ from solver.mesh.primitives.rotational import rotational, sphere, unduloid
 from solver.mesh.primitives.translational import arch, translational
 from solver.mesh.quadmesh import QuadMesh
 from solver.multinet.planar import confocal_conics
+from solver.option import one_of
 
 Value = float | str | tuple[float, ...] | ArrayLike | None
 
@@ -143,8 +144,7 @@ def primitive(name: str, m: int, n: int, **parameters: Value) -> QuadMesh:
         InputError: no such primitive or parameter, a value of the wrong kind, or fewer vertices
             than it needs.
     """
-    if name not in PRIMITIVES:
-        raise InputError(f"primitive: expected one of {', '.join(PRIMITIVES)}, got '{name}'")
+    one_of("primitive", name, PRIMITIVES)
     if not all(isinstance(count, (int, np.integer)) and count >= 2 for count in (m, n)):
         raise InputError(
             f"sampling: expected at least 2 x 2 vertices, got {m} x {n}; take more samples"

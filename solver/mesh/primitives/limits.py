@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from solver.errors import InputError
+from solver.option import number_within
 
 
 def positive(**values: float) -> None:
@@ -14,8 +13,7 @@ def positive(**values: float) -> None:
         InputError: names the first of them.
     """
     for name, value in values.items():
-        if not (np.isfinite(value) and value > 0):
-            raise InputError(f"{name}: expected a positive number, got {value:g}; change it")
+        number_within(name, value)
 
 
 def between(low: float, high: float, **values: float) -> None:

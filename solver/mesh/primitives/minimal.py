@@ -12,6 +12,7 @@ from solver.mesh.grid import grid_mesh
 from solver.mesh.primitives.limits import between, positive
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.multinet.rotational import rotational_net
+from solver.option import one_of
 
 Lines = Literal["asymptotic", "principal"]
 
@@ -140,8 +141,7 @@ def _lemniscatic(sigma: FloatArray) -> FloatArray:
 
 
 def _asymptotic(lines: str) -> bool:
-    if lines not in ("asymptotic", "principal"):
-        raise InputError(f"lines: expected asymptotic or principal, got '{lines}'")
+    one_of("lines", lines, ("asymptotic", "principal"))
     return lines == "asymptotic"
 
 

@@ -13,6 +13,7 @@ from solver.mesh.grid import grid_mesh
 from solver.mesh.primitives.limits import between, positive
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.multinet.rotational import rotational_net
+from solver.option import one_of
 
 
 def rotational(
@@ -78,8 +79,7 @@ def unduloid(
     if lines == "principal":
         radius, height = _profile(np.linspace(-1, 1, n) * periods * half, widest, narrowest)
         return rotational_net(np.stack([radius, height], axis=1), m)
-    if lines != "cmc":
-        raise InputError(f"lines: expected principal or cmc, got '{lines}'")
+    one_of("lines", lines, ("principal", "cmc"))
     p, q = np.meshgrid(np.linspace(-0.5, 0.5, m), np.linspace(-0.5, 0.5, n), indexing="ij")
     along, around = periods * half * (p + q), periods * half * (q - p)
     radius, height = _profile(along, widest, narrowest)

@@ -81,7 +81,10 @@ def test_shells_of_the_benchmark(name):
 
 @pytest.mark.parametrize(
     ("millimetres", "sections", "words"),
-    [(1000.0, 0, "sections: expected 1 or more"), (1.0, 1, "mind the unit of the mesh")],
+    [
+        (1000.0, 0, "sections: expected a whole number, 1 or more, got 0"),
+        (1.0, 1, "mind the unit of the mesh"),
+    ],
 )
 def test_what_cannot_be_scored_is_refused(millimetres, sections, words):
     with pytest.raises(InputError, match=words):

@@ -65,7 +65,7 @@ def test_gap_is_the_distance_to_the_reference():
 
 
 def test_unknown_field_is_named():
-    with pytest.raises(InputError, match=r"expected one of Orthogonality.*got 'Colour'"):
+    with pytest.raises(InputError, match=r"expected Orthogonality.*got 'Colour'"):
         field(wavy_grid(3, 3), "Colour")
 
 

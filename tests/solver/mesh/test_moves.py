@@ -125,7 +125,7 @@ def test_moebius_keeps_place_orientation_and_principal_order():
         (lambda: mirrored(wavy_grid(4, 4), (0, 0, 0)), "normal"),
         (lambda: mirrored(primitive("rectangle", 4, 4), (0, 0, 1)), "across the plane"),
         (lambda: welded([]), "at least one mesh"),
-        (lambda: similarity(wavy_grid(3, 3), scale=-1), "mirror to reflect"),
+        (lambda: similarity(wavy_grid(3, 3), scale=-1), "scale: expected a number above 0, got -1"),
         (lambda: similarity(wavy_grid(3, 3), move=(1, 2)), "three finite numbers"),
         (lambda: inverted(wavy_grid(3, 3), wavy_grid(3, 3).vertices[4], 1), "vertex 4"),
         (lambda: inverted(wavy_grid(3, 3), (0, 0, 9), 0), "radius"),

@@ -183,8 +183,8 @@ def test_every_primitive_has_words_defaults_and_good_faces(name):
 @pytest.mark.parametrize(
     ("name", "parameters", "words"),
     [
-        ("dodecahedron", {}, "expected one of"),
-        ("sphere", {"radius": -1.0}, "positive"),
+        ("dodecahedron", {}, "primitive: expected catenoid, "),
+        ("sphere", {"radius": -1.0}, "a number above 0"),
         ("sphere", {"diameter": 1.0}, "radius, angles, latitudes, not 'diameter'"),
         ("sphere", {"radius": "big"}, "of the kind of 1.0"),
         ("sphere", {"latitudes": (-90.0, 10.0)}, "first latitude"),
@@ -194,7 +194,7 @@ def test_every_primitive_has_words_defaults_and_good_faces(name):
         ("ellipsoid", {"semi_axes": (2.0, 2.0, 1.0)}, "different"),
         ("unduloid", {"narrowest": 3.0}, "exchange"),
         ("tangent-developable", {"spine": [[0, 0, 0]]}, "expected 10 points"),
-        ("cone", {"height": float("nan")}, "positive"),
+        ("cone", {"height": float("nan")}, "height: expected a number, got nan"),
     ],
 )
 def test_bad_parameters_get_one_line(name, parameters, words):
