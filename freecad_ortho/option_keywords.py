@@ -321,7 +321,7 @@ class FaceOptions(TypedDict, total=False):
 class CurvatureOptions(TypedDict, total=False):
     """Options of nets along lines of curvature."""
 
-    net: Literal["principal", "developable", "asymptotic", "cmc", "stress"]
+    net: Literal["principal", "developable", "asymptotic", "asymptotic-angle", "cmc", "stress"]
     edge: Length
     ratio: float
     border: Literal["trim", "follow"]
@@ -418,7 +418,7 @@ class SourceOptions(TypedDict, total=False):
     outside: Literal["snap", "drop"]
     u_part: Sequence[float]
     v_part: Sequence[float]
-    net: Literal["principal", "developable", "asymptotic", "cmc", "stress"]
+    net: Literal["principal", "developable", "asymptotic", "asymptotic-angle", "cmc", "stress"]
     ratio: float
     border: Literal["trim", "follow", "drop", "fill"]
     stands_on: Literal["boundary", "corners"]

@@ -25,6 +25,7 @@ class Aim:
         nearest: of all such nets the one nearest to the surface is what was asked for.
         early: a net that is not good is first led on by the last phase, then by other attempts.
         late: a good net is led on too, as one near to the surface is wanted.
+        thick: no flatter net than the start is what was asked for, near to a surface or not.
     """
 
     surface: TriangleSurface | None = None
@@ -32,11 +33,12 @@ class Aim:
     nearest: bool = False
     early: bool = False
     late: bool = True
+    thick: bool = False
 
     @property
     def meant(self) -> bool:
         """Whether it is the surface that is wanted, so that no flatter net will do."""
-        return self.surface is not None and self.late
+        return self.thick or (self.surface is not None and self.late)
 
 
 def wishes_of(

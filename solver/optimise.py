@@ -209,7 +209,9 @@ def start_optimisation(
     wanted = settled(mesh, fixed, wanted)
     wanted = replace(wanted, glide=(*wanted.glide, *standing.glides(mesh, wanted)))
     surface = _surface(asked, mesh, wanted)
-    remarks = start_remarks(mesh, net, chosen.diagonal, fixed | on_curves(mesh, wanted))
+    asymptotic = asked.asymptotic(chosen)
+    still = fixed | on_curves(mesh, wanted)
+    remarks = start_remarks(mesh, net, chosen.diagonal, still, asymptotic)
     if surface is not None and within is not None:
         remarks = (*remarks, *filter(None, [coarse_faces(mesh, surface, within)]))
 
@@ -240,7 +242,7 @@ def start_optimisation(
         remarks,
         held,
         origin,
-        aim=Aim(surface, within, asked.nearest, asked.way.early, late),
+        aim=Aim(surface, within, asked.nearest, asked.way.early, late, asymptotic),
         repeat=wish,
     )
 

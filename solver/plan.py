@@ -12,6 +12,7 @@ from functools import cached_property
 
 import numpy as np
 
+from solver.analysis.start import bent_lines
 from solver.candidate import Candidate
 from solver.mesh.bend import central_directions, doubly_curved, unbent
 from solver.mesh.connectivity import BoolArray
@@ -115,6 +116,8 @@ class Plan:
         keep = not self.once
         for attempt in _attempts(self.original, self._at_first, hasty=self._hasty):
             reached = yield attempt
+            if reached.flattened and self._futile:
+                return
             keep = keep and not reached.gone
             if keep and reached.resized:
                 keep = False
@@ -186,6 +189,13 @@ class Plan:
     def _hasty(self) -> bool:
         """Whether attempts whose pace leads nowhere are given up; whoever drags has time."""
         return self.net.way.rigid and not self.constraints.handles
+
+    @cached_property
+    def _futile(self) -> bool:
+        """Whether a surface that flattened would do so again, whatever the guides."""
+        if not self.net.asymptotic(self.options):
+            return False
+        return bent_lines(self.mesh, self.options.diagonal) is not None
 
     @property
     def _may_flatten(self) -> bool:

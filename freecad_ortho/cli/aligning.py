@@ -28,9 +28,9 @@ def add(parser: argparse.ArgumentParser) -> None:
     """Options of the command."""
     parser.description = (
         "Quads along the lines that an exact net has on a surface: curvature lines for principal "
-        "and developable, lines at 45 degrees to them for asymptotic and cmc. The net overhangs "
-        "the border by up to a face, unless it follows it; optimise it with --close-to the same "
-        "surface."
+        "and developable, lines at 45 degrees to them for asymptotic and cmc, along the "
+        "asymptotic directions for asymptotic-angle and webs. The net overhangs the border by up "
+        "to a face, unless it follows it; optimise it with --close-to the same surface."
     )
     parser.add_argument("input", metavar="SURFACE.stl|obj|ply|off|glb|step")
     values.add_up(parser)

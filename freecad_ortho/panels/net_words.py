@@ -66,6 +66,16 @@ def reason_words(cause: str) -> str:
             "the lines do not follow the curvature of the surface, as this net has to: take a "
             "start whose lines do",
         ),
+        "bent": translate(
+            "Ortho",
+            "the lines bend with the surface, where this net asks for asymptotic lines: begin with "
+            "a net along curvature with lines for asymptotic-angle, near to the surface",
+        ),
+        "bulging": translate(
+            "Ortho",
+            "the surface has asymptotic lines, as this net asks for, only where it bends both "
+            "ways: take one that is a saddle all over, or another net",
+        ),
         "variant": translate(
             "Ortho", "the other variant of this net, on or off the diagonals, is much nearer"
         ),

@@ -101,7 +101,8 @@ def aligned(
         vertices: (V, 3) coordinates, in the model's unit.
         triangles: (T, 3) vertex numbers.
         net: ``principal`` or ``developable`` (along curvature), ``asymptotic`` or ``cmc`` (at 45
-            degrees to it), ``stress`` (along the stresses of a shell under its weight).
+            degrees to it), ``asymptotic-angle`` (along asymptotic lines, at whatever angle they
+            cross), ``stress`` (along the stresses of a shell under its weight).
         edge: wanted edge length.
         ratio: edge length of the other family of lines over that.
         border: ``trim`` lets the net overhang, ``follow`` bends it to the border.
@@ -312,6 +313,7 @@ def _attempts(asked: _Asked, waiting: Callable[[str], object]) -> Iterator[_Atte
                 *(mesh, cut, layout, asked.guide.firmness, edges, work.covered),
                 firm=firm,
                 features=asked.features,
+                skew=asked.guide.skew,
                 step=lambda: waiting("map"),
             )
             waiting("quads")

@@ -22,7 +22,7 @@ class Crosses:
 
     Attributes:
         places: (N, 3).
-        directions: (N, 2, 3) unit vectors, perpendicular to each other.
+        directions: (N, 2, 3) unit vectors.
         certainty: (N,) 0 where neighbours decide, 1 where curvature or a stroke does.
     """
 
@@ -36,6 +36,9 @@ class Crosses:
         inner = guide.inner
         angles = field.angles[:inner, None] + [0.0, QUARTER]
         parts = np.stack([np.cos(angles), np.sin(angles)], axis=2)
+        if guide.skew is not None:
+            parts = np.einsum("tij,tkj->tki", guide.skew[:inner], parts)
+            parts /= np.linalg.norm(parts, axis=2, keepdims=True)
         directions = np.einsum("tki,tij->tkj", parts, mesh.axes[:inner])
         certainty = np.minimum(1.0, guide.certainty[:inner])
         return cls(mesh.centres[:inner], directions, certainty)

@@ -30,6 +30,9 @@ _WHISPER = 1e-6
 _BEYOND = 0.5
 # What a field may stray more for each singular vertex less.
 _STRAYS = 0.05
+# Least part of the larger curvature that the other one counts as: lines cross at 25 degrees at
+# least.
+_SLIGHT = 0.05
 # Edges that two singular vertices should be apart.
 _APART = 2.5
 # Distances, in edges, round singular vertices within which the guide may be silenced.
@@ -45,12 +48,15 @@ class GuidingField:
         certainty: (T,) 0 to 1.
         stretch: (T,) how different the curvatures are, 1 at the middle of all.
         inner: how many of the triangles are the surface's own.
+        skew: (T, 2, 2) map from right-angled crosses to directions of lines that cross at other
+            angles, in each triangle's frame; None where they cross at right angles.
     """
 
     angles: FloatArray
     certainty: FloatArray
     stretch: FloatArray
     inner: int
+    skew: FloatArray | None = None
 
     @property
     def firmness(self) -> FloatArray:
@@ -97,6 +103,25 @@ def curvature_guide(
     certainty = np.minimum(1.0, (stretch / _CERTAIN) ** 2)
     certainty[inner:] *= _BEYOND
     return GuidingField(angles, certainty, stretch, inner)
+
+
+def asymptotic_skew(tensors: FloatArray) -> FloatArray:
+    """(T, 2, 2) what turns crosses at 45 degrees to curvature into the asymptotic directions.
+
+    Where the curvatures are k and l, asymptotic lines run at an angle a to the direction of k with
+    tan(a)^2 = -k / l; the map stretches by cos(a) and sin(a) along the principal directions, times
+    the square root of two. Its determinant is the sine of the angle between the lines.
+
+    Args:
+        tensors: (T, 2, 2) shape operators in the triangles' frames.
+    """
+    bent, axes = np.linalg.eigh(tensors)
+    size = np.abs(bent)
+    # Where the surface is nearly flat, or bends in one direction only, nothing is to be divided by.
+    least = np.maximum(_SLIGHT * size.max(axis=1, keepdims=True), np.finfo(float).tiny)
+    size = np.sqrt(np.maximum(size, least))
+    stretch = np.sqrt(2) * size[:, ::-1] / np.linalg.norm(size, axis=1, keepdims=True)
+    return np.asarray(np.einsum("tik,tk,tjk->tij", axes, stretch, axes))
 
 
 def smooth_field(

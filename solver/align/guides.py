@@ -9,7 +9,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from solver.align.features import Features
-from solver.align.field import GuidingField, curvature_guide
+from solver.align.field import GuidingField, asymptotic_skew, curvature_guide
 from solver.align.jets import face_tensors
 from solver.align.membrane import membrane_forces
 from solver.align.triangle_mesh import TriangleMesh
@@ -26,6 +26,7 @@ TURNED = {
     "principal": 0.0,
     "developable": 0.0,
     "asymptotic": np.pi / 4,
+    "asymptotic-angle": np.pi / 4,
     "cmc": np.pi / 4,
     "stress": 0.0,
 }
@@ -80,7 +81,7 @@ def net_guide(
     mean, gauss = np.trace(own, axis1=1, axis2=2) / 2, np.linalg.det(own)
     differ = np.sqrt(np.maximum(mean**2 - gauss, 0.0))
     if _middle(differ, areas) < max(_ROUND * _middle(np.abs(mean), areas), _FLAT / edge):
-        if net in ("asymptotic", "cmc"):
+        if TURNED[net]:
             raise InputError(
                 f"net: on a flat or round surface no line is more {net} than another; choose "
                 "principal, or a surface that is curved differently in its directions"
@@ -102,14 +103,15 @@ def net_guide(
             )
         straight = _along_side(mesh, inner) if bent < _PLANE else None
         return straight or _along_border(mesh, inner)
-    if net == "asymptotic":
+    if net in ("asymptotic", "asymptotic-angle"):
         saddle = float(areas[gauss < 0].sum() / areas.sum())
         if saddle < _MOSTLY:
             raise InputError(
-                f"net: asymptotic lines need a surface that bends both ways, this one does on "
+                f"net: {net} lines need a surface that bends both ways, this one does on "
                 f"{100 * saddle:.0f} % of its area; choose principal or cmc"
             )
-    return curvature_guide(mesh, tensors, inner, TURNED[net])
+    guide = curvature_guide(mesh, tensors, inner, TURNED[net])
+    return replace(guide, skew=asymptotic_skew(tensors)) if net == "asymptotic-angle" else guide
 
 
 def with_strokes(
@@ -186,7 +188,12 @@ def _run_along(
     first, second = ((along[nearest[rows]] * mesh.axes[rows, k]).sum(axis=1) for k in (0, 1))
     angles[rows] = np.arctan2(second, first)
     certainty[rows], stretch[rows] = _STROKE, 1.0
-    return replace(guide, angles=angles, certainty=certainty, stretch=stretch)
+    skew = guide.skew
+    if skew is not None:
+        # Beside such a line the others cross it at right angles.
+        part = np.where(far < reach[0], 0.0, less**2)[:, None, None]
+        skew = part * skew + (1 - part) * np.eye(2)
+    return replace(guide, angles=angles, certainty=certainty, stretch=stretch, skew=skew)
 
 
 def walked(stroke: FloatArray, step: float, number: int) -> tuple[FloatArray, FloatArray]:

@@ -15,7 +15,8 @@ OPTIONS: dict[str, Option] = {
             "principal",
             "choice",
             "The net is to become this one; asymptotic and cmc lines run at 45 degrees to "
-            "curvature, stress lines as a shell carries its weight",
+            "curvature, those of asymptotic-angle where the surface does not bend, stress lines as "
+            "a shell carries its weight",
             tuple(TURNED),
         ),
         Option("edge", None, "length", "Edges are about this long"),

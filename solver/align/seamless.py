@@ -25,7 +25,7 @@ from solver.align.whole_lines import WholeLines
 from solver.linear.definite import DefiniteSolver
 from solver.linear.squares import WeightedSquares
 from solver.mesh.connectivity import BoolArray, IntArray
-from solver.mesh.quadmesh import FloatArray
+from solver.mesh.quadmesh import FloatArray, unit_rows
 
 # What a line's direction counts where it is certain, beside its spacing; less where lines that
 # follow it closely would run into each other.
@@ -72,6 +72,7 @@ def seamless_map(
     covered: int,
     firm: float = FIRM[0],
     features: Features | None = None,
+    skew: FloatArray | None = None,
     step: Callable[[], object] = lambda: None,
 ) -> Map:
     """Solve for the map.
@@ -85,11 +86,14 @@ def seamless_map(
         covered: how many of the triangles are to be covered; only these must not fold.
         firm: what direction counts where it is certain, beside spacing.
         features: lines that have to lie on whole lines.
+        skew: (T, 2, 2) from right-angled crosses to the lines' directions, by default none.
         step: called before each solution; what it raises is passed on.
     """
     whole = WholeLines.none() if features is None else WholeLines.along(mesh, cut, layout, features)
-    system = _Equations(mesh, cut, layout, whole, edges)
+    system = _Equations(mesh, cut, layout, whole, edges, skew)
     wanted = 2 * mesh.areas / (edges[0] * edges[1])
+    if skew is not None:
+        wanted = wanted / np.linalg.det(skew)
     neighbours = _neighbours(mesh)
     spacing, direction = np.ones(len(mesh.areas)), 1 + firm * certainty
     step()
@@ -159,6 +163,7 @@ class _Equations:
         layout: the unknowns.
         whole: what lies on whole lines; their values are the last unknowns.
         edges: wanted edge lengths along u and along v.
+        skew: (T, 2, 2) from right-angled crosses to the lines' directions, None for none.
     """
 
     def __init__(
@@ -168,9 +173,11 @@ class _Equations:
         layout: Seams,
         whole: WholeLines,
         edges: tuple[float, float],
+        skew: FloatArray | None,
     ) -> None:
         count = len(mesh.triangles)
-        asked = csr_array(hstack([_slopes(mesh, cut, layout), csr_array((4 * count, whole.count))]))
+        slopes = _slopes(mesh, cut, layout, skew)
+        asked = csr_array(hstack([slopes, csr_array((4 * count, whole.count))]))
         runs = np.arange(len(whole.runs))
         values = coo_array(
             (np.full(len(runs), -1.0), (runs, whole.runs)), shape=(len(runs), whole.count)
@@ -236,11 +243,13 @@ class _Equations:
         return self._solver.factor(normal), weight
 
 
-def _slopes(mesh: TriangleMesh, cut: Cut, layout: Seams) -> csr_array:
+def _slopes(mesh: TriangleMesh, cut: Cut, layout: Seams, skew: FloatArray | None) -> csr_array:
     """(4 T, unknowns) slope of u along it and of v across it; of u across it and of v along it."""
     gradients, count = mesh.gradients(), len(mesh.triangles)
     along = np.stack([np.cos(cut.angles), np.sin(cut.angles)], axis=1)
     across = np.stack([-along[:, 1], along[:, 0]], axis=1)
+    if skew is not None:
+        along, across = (unit_rows(np.einsum("tij,tj->ti", skew, way)) for way in (along, across))
     rows, columns, values = [], [], []
     for number, (way, part) in enumerate(((along, 0), (across, 1), (across, 0), (along, 1))):
         slopes = np.einsum("tkx,tx->tk", gradients, way)

@@ -76,6 +76,26 @@ def asymptotic_share(mesh: QuadMesh) -> float:
     return float(weight[along].sum() / weight.sum())
 
 
+def across_asymptotic(mesh: QuadMesh, diagonal: bool = False) -> tuple[float, float]:
+    """How far lines are from asymptotic ones, and on which part of the area there are such.
+
+    The first number is the sum of the squared normal curvatures along both lines over that along
+    the principal ones: 0 of asymptotic lines, 1 of lines of curvature. Both count by area.
+    """
+    net = mesh.connectivity
+    if not len(net.stars):
+        return 0.0, 1.0
+    form, weight = _second_forms(mesh), vertex_areas(mesh)[net.stars[:, 0]]
+    angles = form.line_angles(mesh, diagonal)
+    along = form.mean[:, None] + (form.half_difference[:, None] * np.exp(-2j * angles)).real
+    bending = 2 * np.abs(form.half_difference) ** 2 + 2 * form.mean**2
+    if weight @ bending <= _FLAT**2 * weight.sum() / mesh.mean_edge**2:
+        return 0.0, 1.0
+    saddle = np.abs(form.half_difference) > np.abs(form.mean)
+    share = weight @ (along**2).sum(axis=1) / (weight @ bending)
+    return float(share), float(weight[saddle].sum() / weight.sum())
+
+
 @dataclass(frozen=True, eq=False)
 class _SecondForms:
     """Second fundamental forms at the stars of a mesh, (S,) each.
@@ -93,11 +113,15 @@ class _SecondForms:
 
     def cross_angles(self, mesh: QuadMesh, diagonal: bool) -> FloatArray:
         """(S,) angle of the right-angled cross nearest to the two lines through each star."""
+        angles = self.line_angles(mesh, diagonal)
+        return np.asarray(np.angle(np.exp(4j * angles).sum(axis=1)) / 4)
+
+    def line_angles(self, mesh: QuadMesh, diagonal: bool) -> FloatArray:
+        """(S, 2) angles of the two lines through each star."""
         net = mesh.connectivity
         points = mesh.vertices[net.diagonal_stars if diagonal else net.stars]
         along = np.einsum("slk,sak->sla", points[:, 1:3] - points[:, 3:5], self.frame)
-        angles = np.arctan2(along[:, :, 1], along[:, :, 0])
-        return np.asarray(np.angle(np.exp(4j * angles).sum(axis=1)) / 4)
+        return np.asarray(np.arctan2(along[:, :, 1], along[:, :, 0]))
 
 
 def _second_forms(mesh: QuadMesh) -> _SecondForms:

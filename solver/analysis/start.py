@@ -8,7 +8,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from solver.analysis.directions import asymptotic_share, directions
+from solver.analysis.directions import across_asymptotic, asymptotic_share, directions
 from solver.analysis.form import off_surface
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.connectivity import BoolArray, IntArray
@@ -22,6 +22,9 @@ _TWISTED, _FOLLOWING = 0.45, 0.2
 # A part of the area this large where lines have to turn for flat faces is worth a word; from the
 # second on other lines are the better start, if those of the diagonal mesh are.
 _HARDLY, _MOSTLY = 0.05, 0.5
+# Lines that bend by more than this part of what lines of curvature do are no asymptotic ones, if
+# the surface is a saddle on this part of it.
+_BENT, _SADDLE = 0.5, 0.8
 # Degrees that the normal may turn about a border that is held: more were not made up for.
 _TURN = 1.0
 # Sine of the angle of a border that makes a corner.
@@ -37,8 +40,8 @@ class Remark:
     """Something about a start that stands in the way of a net.
 
     Attributes:
-        cause: one word for programs: ``diagonal``, ``oblique``, ``border``, ``variant`` or
-            ``coarse``.
+        cause: one word for programs: ``diagonal``, ``oblique``, ``bent``, ``bulging``,
+            ``border``, ``variant`` or ``coarse``.
         fact: what is so, in words that end no sentence.
         remedy: what to do, likewise.
         numbers: of a border: degrees, and the vertices at both its ends; of faces that are coarse
@@ -56,7 +59,11 @@ class Remark:
 
 
 def start_remarks(
-    mesh: QuadMesh, net: str, diagonal: bool = False, held: BoolArray | None = None
+    mesh: QuadMesh,
+    net: str,
+    diagonal: bool = False,
+    held: BoolArray | None = None,
+    asymptotic: bool = False,
 ) -> tuple[Remark, ...]:
     """Say what stands in the way of a net.
 
@@ -65,10 +72,13 @@ def start_remarks(
         net: name of the net.
         diagonal: whether the star property is asked of the diagonal net.
         held: (V,) true for vertices that are fixed or glide along a curve; none by default.
+        asymptotic: its lines are asymptotic ones, whatever angle these have.
     """
     if mesh.connectivity.mixed:
         return tuple(filter(None, [threes_on_saddles(mesh)]))
     found = [closer_variant(mesh, net, diagonal)]
+    if asymptotic:
+        found.append(bent_lines(mesh, diagonal))
     if NETS[net].conjugate:
         found.append(asymptotic_lines(mesh))
     if NETS[net].along_curvature:
@@ -103,6 +113,28 @@ def threes_on_saddles(mesh: QuadMesh) -> Remark | None:
         f"at {100 * share:.0f} % of the inner vertices where three faces meet the surface is a "
         "saddle, where three flat faces without recesses cannot meet",
         "quads there, or a surface that bulges all over",
+    )
+
+
+def bent_lines(mesh: QuadMesh, diagonal: bool = False) -> Remark | None:
+    """Say where lines that are to be asymptotic bend with the surface, so that it would flatten."""
+    bent, saddle = across_asymptotic(mesh, diagonal)
+    if bent <= _BENT:
+        return None
+    lines = "diagonals" if diagonal else "lines"
+    if saddle < _SADDLE:
+        return Remark(
+            "bulging",
+            f"the {lines} bend with the surface, which has asymptotic lines on {100 * saddle:.0f} "
+            "% of its area only, where it bends both ways",
+            "a surface that is a saddle all over, or another net",
+        )
+    return Remark(
+        "bent",
+        f"the {lines} bend with the surface, {100 * bent:.0f} % as much as lines of curvature do, "
+        "where this net asks for asymptotic lines, which do not: the surface would flatten instead",
+        "a start along its asymptotic lines: align it with lines for asymptotic-angle, then "
+        "optimise that, close to the surface",
     )
 
 

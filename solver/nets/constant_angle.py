@@ -44,6 +44,8 @@ NETS = (
         ),
         options=("diagonal", "angle", "singular"),
         shape="saddle",
+        begins_as="asymptotic-angle",
+        asymptotic=lambda options: True,
         general=True,
         telling=True,
         way=Way(evenness=(3.0, 30.0)),

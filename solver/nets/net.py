@@ -124,6 +124,8 @@ class Net:
         along_curvature: its lines follow the principal directions.
         begins_as: the net whose lines it begins with on a surface, where these are others.
         conjugate: its faces are flat and nothing else is asked: its lines are conjugate.
+        asymptotic: tells from the options whether its lines, or diagonals, follow the asymptotic
+            directions at whatever angle these cross.
         flat: a plane is a shape as good as any other, as it is of sheets.
         general: others are special cases of it, and are advised before it.
         telling: a mesh that is this net is said to be so, though it is general.
@@ -154,6 +156,7 @@ class Net:
     along_curvature: bool = False
     begins_as: str = ""
     conjugate: bool = False
+    asymptotic: Callable[[NetOptions], bool] = lambda options: False
     flat: bool = False
     general: bool = False
     telling: bool = False

@@ -58,6 +58,7 @@ NETS = (
         gives="Three families of straight slats, which brace each other.",
         measures=(Measure("web", lines.web, "vertex"),),
         options=("web",),
+        asymptotic=lambda options: options.web == "aag",
         telling=True,
         general=True,
         way=Way(evenness=(3.0, 30.0)),

@@ -1345,8 +1345,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>The net is to become this one; asymptotic and cmc lines run at 45 degrees to curvature, stress lines as a shell carries its weight</source>
-   <translation>Das Netz soll dieses werden; asymptotische und cmc-Linien laufen 45 Grad zur Krümmung, Spannungslinien so, wie eine Schale ihr Gewicht trägt</translation>
+   <source>The net is to become this one; asymptotic and cmc lines run at 45 degrees to curvature, those of asymptotic-angle where the surface does not bend, stress lines as a shell carries its weight</source>
+   <translation>Das Netz soll dieses werden; asymptotische und cmc-Linien laufen 45 Grad zur Krümmung, die von asymptotic-angle in Richtungen, in denen sich die Fläche nicht krümmt, Spannungslinien so, wie eine Schale ihr Gewicht trägt</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4721,8 +4721,8 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>The net is to become this one; asymptotic and cmc lines run at 45 degrees to curvature, stress lines as a shell carries its weight</source>
-   <translation>Das Netz soll dieses werden; asymptotische und cmc-Linien laufen 45 Grad zur Krümmung, Spannungslinien so, wie eine Schale ihr Gewicht trägt</translation>
+   <source>The net is to become this one; asymptotic and cmc lines run at 45 degrees to curvature, those of asymptotic-angle where the surface does not bend, stress lines as a shell carries its weight</source>
+   <translation>Das Netz soll dieses werden; asymptotische und cmc-Linien laufen 45 Grad zur Krümmung, die von asymptotic-angle in Richtungen, in denen sich die Fläche nicht krümmt, Spannungslinien so, wie eine Schale ihr Gewicht trägt</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -6741,6 +6741,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>the lines bend with the surface, where this net asks for asymptotic lines: begin with a net along curvature with lines for asymptotic-angle, near to the surface</source>
+   <translation>die Linien krümmen sich mit der Fläche, während dieses Netz asymptotische Linien verlangt: mit einem Netz entlang der Krümmung mit Linien für asymptotic-angle beginnen, nahe der Fläche</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>the lines do not follow the curvature of the surface, as this net has to, but those of its diagonal mesh do: make a diagonal mesh first</source>
    <translation>die Linien folgen nicht der Krümmung der Fläche, wie dieses Netz es muss, aber die seines Diagonalnetzes tun es: zuerst ein Diagonalnetz machen</translation>
   </message>
@@ -6873,6 +6878,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>the strips stand on the surface, lie in it, or tilt as the net wants it</source>
    <translation>die Streifen stehen auf der Fläche, liegen in ihr oder neigen sich, wie das Netz es will</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>the surface has asymptotic lines, as this net asks for, only where it bends both ways: take one that is a saddle all over, or another net</source>
+   <translation>die Fläche hat asymptotische Linien, wie dieses Netz sie verlangt, nur dort, wo sie sich nach beiden Seiten krümmt: eine nehmen, die überall ein Sattel ist, oder ein anderes Netz</translation>
   </message>
   <message>
    <location filename="../../../solver/align/symmetry.py" />

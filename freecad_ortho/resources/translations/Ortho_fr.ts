@@ -1345,8 +1345,8 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>The net is to become this one; asymptotic and cmc lines run at 45 degrees to curvature, stress lines as a shell carries its weight</source>
-   <translation>Le réseau doit devenir celui-ci ; les lignes asymptotiques et cmc vont à 45 degrés de la courbure, celles de contraintes comme une coque porte son poids</translation>
+   <source>The net is to become this one; asymptotic and cmc lines run at 45 degrees to curvature, those of asymptotic-angle where the surface does not bend, stress lines as a shell carries its weight</source>
+   <translation>Le réseau doit devenir celui-ci ; les lignes asymptotiques et cmc vont à 45 degrés de la courbure, celles de asymptotic-angle là où la surface ne se courbe pas, celles de contraintes comme une coque porte son poids</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -4721,8 +4721,8 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
-   <source>The net is to become this one; asymptotic and cmc lines run at 45 degrees to curvature, stress lines as a shell carries its weight</source>
-   <translation>Le réseau doit devenir celui-ci ; les lignes asymptotiques et cmc vont à 45 degrés de la courbure, celles de contraintes comme une coque porte son poids</translation>
+   <source>The net is to become this one; asymptotic and cmc lines run at 45 degrees to curvature, those of asymptotic-angle where the surface does not bend, stress lines as a shell carries its weight</source>
+   <translation>Le réseau doit devenir celui-ci ; les lignes asymptotiques et cmc vont à 45 degrés de la courbure, celles de asymptotic-angle là où la surface ne se courbe pas, celles de contraintes comme une coque porte son poids</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
@@ -6741,6 +6741,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>the lines bend with the surface, where this net asks for asymptotic lines: begin with a net along curvature with lines for asymptotic-angle, near to the surface</source>
+   <translation>les lignes se courbent avec la surface, alors que ce réseau demande des lignes asymptotiques : commencer par un réseau selon la courbure avec des lignes pour asymptotic-angle, près de la surface</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>the lines do not follow the curvature of the surface, as this net has to, but those of its diagonal mesh do: make a diagonal mesh first</source>
    <translation>les lignes ne suivent pas la courbure de la surface, comme ce réseau le doit, mais celles de son maillage diagonal la suivent : faire d'abord un maillage diagonal</translation>
   </message>
@@ -6873,6 +6878,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>the strips stand on the surface, lie in it, or tilt as the net wants it</source>
    <translation>les bandes sont debout sur la surface, couchées, ou inclinées comme le veut le réseau</translation>
+  </message>
+  <message>
+   <location filename="../../../freecad_ortho/panels/net_words.py" />
+   <source>the surface has asymptotic lines, as this net asks for, only where it bends both ways: take one that is a saddle all over, or another net</source>
+   <translation>la surface n'a de lignes asymptotiques, comme ce réseau en demande, que là où elle se courbe dans les deux sens : en prendre une qui soit partout une selle, ou un autre réseau</translation>
   </message>
   <message>
    <location filename="../../../solver/align/symmetry.py" />

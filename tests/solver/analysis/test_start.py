@@ -12,7 +12,15 @@ from solver.mesh.diagonal import diagonal_meshes
 from solver.mesh.quadmesh import unit_rows
 from solver.nets.constraints import BoundaryGlide
 from tests.conftest import demo_roof, shared_mesh, surface_of_revolution, wavy_grid
-from tests.meshes import grid, helicoid, noisy, scherk, unduloid
+from tests.meshes import (
+    constant_ratio,
+    freeform_saddle,
+    grid,
+    helicoid,
+    noisy,
+    scherk,
+    unduloid,
+)
 from tests.solver.analysis.test_directions import saddle
 from tests.solver.mesh.test_derived import star_of
 
@@ -41,6 +49,17 @@ def test_lines_across_the_curvature_are_told_with_the_mesh_that_follows_it(net):
         assert verdicts["asymptotic"].possible
     assert "45 degrees" in str(start_remarks(saddle(), net)[0])
     assert causes(diagonal_meshes(saddle()).first, net) == []
+
+
+def test_lines_that_bend_with_a_saddle_are_told_where_a_net_of_asymptotic_ones_is_wanted():
+    asked = {"net": "asymptotic-angle", "asymptotic": True}
+    other, remark = start_remarks(diagonal_meshes(saddle()).first, **asked)
+    assert (other.cause, remark.cause) == ("variant", "bent")
+    assert "align it with lines for asymptotic-angle" in str(remark)
+    for mesh in (saddle(), scherk(), constant_ratio(13, 13, 0.5), freeform_saddle()):
+        assert causes(mesh, **asked) == []
+    assert "of its area only" in str(start_remarks(canopy(), **asked)[0])
+    assert causes(canopy(), "asymptotic-angle", diagonal=True, asymptotic=True) == ["bulging"]
 
 
 def test_lines_between_the_curvature_and_its_diagonals_have_no_mesh_that_follows_it():

@@ -18,6 +18,7 @@ from tests.meshes import (
     deformed,
     freeform_roof,
     freeform_saddle,
+    grid,
     noisy,
     small_circles,
 )
@@ -226,6 +227,16 @@ def test_three_families_of_a_web_run_straight_on_a_freeform_saddle(kind):
     if kind == "aag":
         flat = np.einsum("ijk,ik->ij", at[:, 1:] - at[:, :1], normal)
         assert np.abs(flat).max() < 1e-10 * mesh.mean_edge
+
+
+@pytest.mark.parametrize(("net", "options"), [("asymptotic-angle", {}), ("web", {"web": "aag"})])
+def test_a_saddle_across_its_asymptotic_lines_is_told_soon_and_never_called_a_success(net, options):
+    u, v = np.meshgrid(np.linspace(-0.5, 0.5, 14), np.linspace(-0.5, 0.5, 11), indexing="ij")
+    start = grid(30 * u + 3 * v, 20 * v - 4 * u, 12 * u**2 - 20 * v**2 + 2 * u * v)
+    report = optimise(start, net, options=NetOptions(**options)).report
+    assert report.status == "collapsed" and report.iterations <= 20
+    assert "align it with lines for asymptotic-angle" in report.message
+    assert report.warnings and "bend with the surface" in report.warnings[0]
 
 
 def test_bad_options_of_these_nets_are_one_line():
