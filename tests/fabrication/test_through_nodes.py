@@ -95,6 +95,10 @@ def test_solids_are_valid_with_the_volume_of_the_formula(joined, tmp_path):
 
 
 def test_holes_of_every_joint_are_in_line(joined):
+    assert_in_line(joined)
+
+
+def assert_in_line(joined):
     """Each bolt passes a hole of each of the three plates that it joins."""
     parts = {part.name: part for part in joined.parts}
     [bolts] = joined.results["nodes"].fasteners
@@ -107,6 +111,10 @@ def test_holes_of_every_joint_are_in_line(joined):
 
 
 def test_patterns_fold_back_with_their_holes(joined, roof):
+    assert_fold_back(joined, roof)
+
+
+def assert_fold_back(joined, mesh):
     """Folded along its bend lines a pattern meets its vertices and its drilled solid."""
     for part in joined.parts:
         if part.kind != "beam" or not part.pattern.bends:
@@ -125,7 +133,7 @@ def test_patterns_fold_back_with_their_holes(joined, roof):
             if bend is None:
                 break
             assert (
-                np.linalg.norm(roof.vertices - in_space(pattern.axis[number + 1]), axis=1).min()
+                np.linalg.norm(mesh.vertices - in_space(pattern.axis[number + 1]), axis=1).min()
                 < 1e-6
             )
             here, tip = in_space(bend.points[0]), in_space(bend.points[1])
@@ -195,12 +203,64 @@ def test_what_does_not_fit_is_one_line(roof, values, words):
         api.fabricate(roof, "beams+nodes", node="through", **values)
 
 
-def test_fins_that_are_too_short_are_said(roof, dodecahedron):
+def test_fins_that_are_too_short_are_said(roof):
     made = api.fabricate(roof, "beams+nodes", node="through", hub_diameter=150.0)
     words = [words for words in made.verdicts if words != OK]
     assert "cannot be put in and tightened beside the beam that runs through" in words[0]
-    with pytest.raises(InputError, match="needs a net with two families of lines"):
-        api.fabricate(dodecahedron, "beams+nodes", node="through")
+
+
+def three_rhombi(count=3):
+    """Three rhombi in one plane around an inner vertex of three faces, edges of 1.5 m."""
+    numbers, points, faces = {}, [], []
+    ways = np.array([[np.cos(turn), np.sin(turn), 0.0] for turn in np.radians([0, 120, 240])])
+    for k in range(3):
+        for i in range(count):
+            for j in range(count):
+                corners = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)]
+                places = [1500 * (a * ways[k] + b * ways[k - 2]) for a, b in corners]
+                for place in places:
+                    key = tuple(np.round(place).astype(int).tolist())
+                    if key not in numbers:
+                        numbers[key] = len(points)
+                        points.append(place)
+                keys = [tuple(np.round(place).astype(int).tolist()) for place in places]
+                faces.append([numbers[key] for key in keys])
+    return QuadMesh(np.array(points), np.array(faces))
+
+
+@pytest.mark.parametrize("ends", ["spliced-u", "spliced-v"])
+def test_at_irregular_vertices_stars_join_lines_that_end_there(dodecahedron, ends, tmp_path):
+    for mesh, stars in ((dodecahedron, 8), (three_rhombi(), 1)):
+        made = api.fabricate(mesh, "beams+nodes", node="through", ends=ends, splice_every=3)
+        found = check_clashes(made.parts)
+        assert (found.clashes, found.open) == ((), ())
+        assert set(made.verdicts) == {OK}
+        report, net = made.report()["nodes"], mesh.connectivity
+        assert report["stars"] == stars
+        assert f"lines end at {stars} vert" in made.results["nodes"].messages[0]
+        # Every beam is held at both of its ends: at irregular vertices all are bolted to arms,
+        # inside at regular ones one runs through, and at the boundary one runs through or ends.
+        arms = Counter(part.vertices[0] for part in made.parts if part.kind == "node")
+        inside = ~net.boundary_vertices
+        for vertex in np.flatnonzero(inside).tolist():
+            count = int(net.edge_valence[vertex])
+            assert arms[vertex] == (count if net.singular[vertex] else count - 2)
+        rim = np.flatnonzero(~inside).tolist()
+        assert all(int(net.edge_valence[v]) - arms[v] in (1, 2) for v in rim)
+        assert_in_line(made)
+        assert_fold_back(made, mesh)
+        write_step(tmp_path / "irregular.step", made.parts)
+        read = read_step(tmp_path / "irregular.step")
+        for (_, shape), part in zip(read, made.parts, strict=True):
+            assert shape.isValid()
+            assert shape.Volume() == pytest.approx(part.volume, rel=1e-9)
+
+
+def test_a_net_without_lines_that_run_through_is_refused():
+    corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], dtype=float)
+    faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    with pytest.raises(InputError, match="needs lines that run through vertices, which this net"):
+        api.fabricate(QuadMesh(2000 * corners, np.array(faces)), "beams+nodes", node="through")
 
 
 def test_without_what_runs_through_there_are_no_fins(roof):

@@ -23,7 +23,6 @@ from freecad_ortho.fabrication.systems.beams.frames import Frames
 from freecad_ortho.fabrication.systems.beams.geometry import Cuts
 from freecad_ortho.fabrication.systems.edge_beam.geometry import EdgeGeometry
 from solver.mesh.connectivity import BoolArray, IntArray
-from solver.mesh.lines import ParameterLine
 from solver.mesh.quadmesh import FloatArray
 
 # A border that runs along a beam cuts it no more slanted than this, mm along per mm across.
@@ -153,35 +152,6 @@ class BorderEnds:
         joined = Cuts(apart, (sides - apart[:, ends]) / half)
         slope = np.where(self.cut & ~near, self.lean * frames.rise[:, None], frames.slope)
         return replace(frames, slope=slope), joined.where(self.cut, cuts)
-
-    def runs(self, line: ParameterLine, built: BoolArray, ends: IntArray) -> list[ParameterLine]:
-        """What is left of a line, piece by piece.
-
-        Args:
-            line: the line.
-            built: (E,) true for edges that have beams.
-            ends: (E, 2) vertices of the edges.
-        """
-        edges, starts = line.edges, line.vertices[: len(line.edges)]
-        turned = (ends[edges, 0] != starts).astype(int)
-        # Whether the line is broken before an edge and after it.
-        before = ~built[edges] | self.cut[edges, turned]
-        after = ~built[edges] | self.cut[edges, 1 - turned]
-        vertices = line.vertices
-        if line.closed:
-            gaps = np.flatnonzero(before | np.roll(after, 1))
-            if not len(gaps):
-                return [line]
-            edges, before, after = (np.roll(some, -int(gaps[0])) for some in (edges, before, after))
-            vertices = np.roll(vertices, -int(gaps[0]))
-            vertices = np.append(vertices, vertices[0])
-        breaks = np.flatnonzero(before[1:] | after[:-1]) + 1
-        bounds = zip(np.r_[0, breaks].tolist(), np.r_[breaks, len(edges)].tolist(), strict=True)
-        return [
-            replace(line, vertices=vertices[low : high + 1], edges=edges[low:high], closed=False)
-            for low, high in bounds
-            if built[edges[low]]
-        ]
 
     def end_of(self, site: Site, edge: int, vertex: int) -> tuple[FloatArray, FloatArray] | None:
         """Point and offset where the beam of an edge ends towards a vertex; None at the vertex."""

@@ -7,12 +7,13 @@ cover plates join webs and fins, and splices.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from freecad_ortho.fabrication.systems.beams.cover_plates import CoverPlates
 from freecad_ortho.fabrication.systems.beams.frames import Around
+from freecad_ortho.fabrication.systems.beams.running import Running
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.lines import ParameterLines
@@ -29,10 +30,10 @@ class FinPlates(CoverPlates):
     """Sizes of fins and of all cover plates of a structure.
 
     Args:
-        through: (E,) edges whose beams run through.
+        running: what runs through where.
     """
 
-    through: BoolArray = field(default_factory=lambda: np.empty(0, dtype=bool), compare=False)
+    running: Running = field(kw_only=True, compare=False)
 
     @property
     def splice_room(self) -> float:
@@ -70,19 +71,27 @@ class FinPlates(CoverPlates):
         return np.asarray(np.maximum(np.maximum(covers, wrench), way_in) + self._skew)
 
     def radii(self, around: Around, count: int) -> FloatArray:
-        """(V,) from the axis of each of the vertices to the ends of its fins, mm; 0 for none."""
+        """(V,) from the axis of each of the vertices to the ends of its fins or arms, mm.
+
+        Raises:
+            InputError: cover plates that meet in stars of the diameter that is given.
+        """
         butting, left, right = self._beside(around)
+        starred = replace(around, left=np.where(self.running.stars[around.vertex], around.left, -1))
         radii = np.zeros(count)
+        if (starred.left >= 0).any():
+            radii = np.where(self.running.stars, super().radii(starred, count), 0.0)
         if self.diameter is not None:
             radii[around.vertex[butting]] = self.diameter / 2
             return radii
-        np.maximum.at(radii, around.vertex[butting], self.needed(left, right))
-        return np.asarray(np.ceil(radii / _STEP - 1e-9) * _STEP)
+        reach = np.zeros(count)
+        np.maximum.at(reach, around.vertex[butting], self.needed(left, right))
+        return np.asarray(radii + np.ceil(reach / _STEP - 1e-9) * _STEP)
 
     def _beside(self, around: Around) -> tuple[IntArray, FloatArray, FloatArray]:
         """Half-edges (N,) with fins, angles to what runs through on their left and right."""
-        runs = np.concatenate([self.through, self.through])
-        ends = np.flatnonzero((around.left >= 0) & ~runs)
+        runs = self.running.half_edges
+        ends = np.flatnonzero((around.left >= 0) & ~runs & ~self.running.stars[around.vertex])
         left = np.where(runs[around.left[ends]], around.angle[ends], np.pi)
         right = np.where(runs[around.right[ends]], around.angle[around.right[ends]], np.pi)
         met = np.minimum(left, right) < np.pi

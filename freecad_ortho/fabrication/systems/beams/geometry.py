@@ -13,7 +13,8 @@ All sides are planar: the cut planes are parallel to the axis, which lies in the
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -108,6 +109,8 @@ class BeamGeometry:
         hub_radii: (V,) from the axes to the faces of bolted hubs, the ends of the arms of stars, or
             the seats on balls, mm, 0 where there are none; empty for beams that are not bolted.
         splices: in the middle of edges, of beams that run through.
+        folded: by edge the name of the folded plate of several edges that it is a part of, where
+            that is bolted to a node.
     """
 
     points: FloatArray
@@ -128,6 +131,7 @@ class BeamGeometry:
     bolted: EndPlates | CoverPlates | BallJoints | None
     hub_radii: FloatArray
     splices: tuple[Splice, ...] = ()
+    folded: Mapping[int, str] = field(default_factory=dict)
 
     def ring(self, up: FloatArray, half: float) -> FloatArray:
         """(E, 6, 3) corners at heights ``up`` (E,) in the beam's own coordinates, see ``LOOPS``."""

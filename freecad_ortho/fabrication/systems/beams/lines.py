@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -43,6 +43,48 @@ class Crossings:
 def line_name(line: ParameterLine) -> str:
     """Name of the beam along a line: ``B-U000`` for line 0 of u, ``B-000`` without families."""
     return f"B-{line.family.upper()}{line.number:03d}"
+
+
+def line_runs(
+    line: ParameterLine, built: BoolArray, broken: BoolArray, ends: IntArray
+) -> list[ParameterLine]:
+    """What is left of a line, piece by piece.
+
+    Args:
+        line: the line.
+        built: (E,) true for edges that have beams.
+        broken: (E, 2) true where these are broken off at their starts and ends.
+        ends: (E, 2) vertices of the edges.
+    """
+    edges, starts = line.edges, line.vertices[: len(line.edges)]
+    turned = (ends[edges, 0] != starts).astype(int)
+    before = ~built[edges] | broken[edges, turned]
+    after = ~built[edges] | broken[edges, 1 - turned]
+    vertices = line.vertices
+    if line.closed:
+        gaps = np.flatnonzero(before | np.roll(after, 1))
+        if not len(gaps):
+            return [line]
+        edges, before, after = (np.roll(some, -int(gaps[0])) for some in (edges, before, after))
+        vertices = np.roll(vertices, -int(gaps[0]))
+        vertices = np.append(vertices, vertices[0])
+    breaks = np.flatnonzero(before[1:] | after[:-1]) + 1
+    bounds = zip(np.r_[0, breaks].tolist(), np.r_[breaks, len(edges)].tolist(), strict=True)
+    return [
+        replace(line, vertices=vertices[low : high + 1], edges=edges[low:high], closed=False)
+        for low, high in bounds
+        if built[edges[low]]
+    ]
+
+
+def chosen_runs(
+    site: Site, along: BoolArray, broken: BoolArray | None
+) -> tuple[ParameterLine, ...]:
+    """The stretches of the chosen lines, see ``line_runs``; whole lines for None."""
+    ends = site.mesh.connectivity.edges
+    if broken is None:
+        return tuple(line for line in site.chosen_lines if along[line.edges].all())
+    return tuple(run for line in site.chosen_lines for run in line_runs(line, along, broken, ends))
 
 
 def half_laps(site: Site, around: Around, thickness: float, clearance: float) -> Crossings:

@@ -138,8 +138,10 @@ def line_beams(
 def name_after(name: str, parts: list[Part]) -> str:
     """The name of a line's beam: with a letter from its second stretch on."""
     if parts and parts[-1].name.startswith(name):
-        letter = parts[-1].name[len(name) :].split("-")[0] or "a"
-        return name + chr(ord(letter) + 1)
+        letters = parts[-1].name[len(name) :].split("-")[0] or "a"
+        # After z come za, zb and so on, which are sorted behind it.
+        last = letters[-1]
+        return name + (letters + "a" if last == "z" else letters[:-1] + chr(ord(last) + 1))
     return name
 
 

@@ -112,15 +112,12 @@ def _middle(chain: Chain, plate: int, ahead: float) -> tuple[FloatArray, FloatAr
     return point, (chain.offsets[plate] @ up) * up
 
 
-def extended(stretch: Stretch, fins: BoolArray, over: float) -> Stretch:
-    """The same, its ends so far over the nodes that have fins, (V,), and are cut square; mm."""
+def shortened(stretch: Stretch, taken: tuple[float, float]) -> Stretch:
+    """The same, its ends so far before their nodes, mm; less than 0 for beyond them."""
     chain = stretch.chain
-    if chain.ends is None:
-        return stretch
     vertices = chain.vertices.copy()
-    for end, node in ((0, stretch.vertices[0]), (-1, stretch.vertices[-1])):
-        if node >= 0 and fins[node] and np.abs(chain.ends[end]).max() < 1e-12:
-            vertices[end] += (over if end else -over) * chain.frame[end, 0]
+    for end, sign in ((0, 1.0), (-1, -1.0)):
+        vertices[end] += sign * taken[end] * chain.frame[end, 0]
     return replace(stretch, chain=replace(chain, vertices=vertices))
 
 

@@ -30,7 +30,7 @@ from freecad_ortho.fabrication.systems.beams.geometry import (
     mitred,
     square,
 )
-from freecad_ortho.fabrication.systems.beams.lines import Crossings, half_laps
+from freecad_ortho.fabrication.systems.beams.lines import Crossings, chosen_runs, half_laps
 from freecad_ortho.fabrication.systems.beams.messages import misfit_report, remarks, smaller_bolts
 from freecad_ortho.fabrication.systems.beams.options import (
     COPED,
@@ -40,14 +40,15 @@ from freecad_ortho.fabrication.systems.beams.options import (
 )
 from freecad_ortho.fabrication.systems.beams.parts import edge_beams, line_beams
 from freecad_ortho.fabrication.systems.beams.rolled import RolledSection
+from freecad_ortho.fabrication.systems.beams.running import Running
 from freecad_ortho.fabrication.systems.beams.sections import SECTIONS, BeamSizes, Section
-from freecad_ortho.fabrication.systems.beams.spliced_parts import spliced_beams
+from freecad_ortho.fabrication.systems.beams.spliced_parts import SplicedBeams
 from freecad_ortho.fabrication.systems.beams.web_holes import refuse_short
 from freecad_ortho.fabrication.systems.edge_beam.hubs import without_hubs
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
-from solver.mesh.lines import ParameterLine, ParameterLines
+from solver.mesh.lines import ParameterLines
 from solver.mesh.quadmesh import FloatArray
 from solver.option import Option
 
@@ -236,7 +237,7 @@ class Beams(System):
         geometry = beam_geometry(site.mesh, self.levels, width, frames, cuts, wanted)
         meeting = wanted[:, None] & ~(np.zeros(2, bool) if border is None else border.cut)
         if isinstance(bolted, FinPlates):
-            meeting &= ~bolted.through[:, None]
+            meeting &= ~bolted.running.ends
         geometry = replace(geometry, meeting=meeting, bolted=bolted)
         if bolted is not None:
             geometry = replace(geometry, hub_radii=_hub_radii(site, around, bolted))
@@ -249,10 +250,15 @@ class Beams(System):
             if isinstance(bolted, BallJoints):
                 geometry = with_tubes(geometry, rolled.height, site.mesh.connectivity.edges)
         parts = edge_beams(site, geometry, section, wanted & ~folded, border, misfit)
-        lines = _runs(site, folded & built, border)
+        broken = None if border is None else border.cut
         if isinstance(bolted, FinPlates):
-            every = self.splice_every
-            folded_parts, splices = spliced_beams(site, geometry, bolted, every, lines, border)
+            broken = ~bolted.running.ends | (False if broken is None else broken)
+        lines = chosen_runs(site, folded & built, broken)
+        if isinstance(bolted, FinPlates):
+            assert isinstance(section, Section)
+            making = SplicedBeams(site, geometry, section, bolted, border)
+            folded_parts, splices = making.made(lines, self.splice_every)
+            geometry = replace(geometry, folded=making.names)
             geometry, doubts = replace(geometry, splices=splices), list[str]()
         else:
             folded_parts, doubts = line_beams(
@@ -323,12 +329,16 @@ class Beams(System):
         if self.ends == "lapped":
             laps = half_laps(site, around, self.sizes.thickness, self.clearance)
             return mitred(frames, around), all_edges, laps
-        through = runs_through(site.lines, self.ends)
-        alone = around_axes(site.mesh, site.axes, frames.along, built & through)
         gaps = clear_of_through(around, width, self.clearance)
         if isinstance(bolted, FinPlates):
-            radii = _hub_radii(site, around, bolted)[site.mesh.connectivity.edges]
-            gaps = np.where(radii > 0, radii + bolted.setback, gaps)
+            edges, runs = site.mesh.connectivity.edges, bolted.running.ends
+            radii = _hub_radii(site, around, bolted)[edges]
+            cuts = square(frames, np.where(radii > 0, radii + bolted.setback, gaps))
+            cuts = cuts.where((radii > 0) | ~bolted.running.stars[edges], mitred(frames, around))
+            cuts = square(frames, 0 * gaps).where(runs, cuts)
+            return cuts, np.asarray(runs.any(axis=1)), None
+        through = runs_through(site.lines, self.ends)
+        alone = around_axes(site.mesh, site.axes, frames.along, built & through)
         others = square(frames, gaps)
         if self.ends in COPED:
             others = coped(frames, around, through, width, self.clearance)
@@ -354,7 +364,7 @@ class Beams(System):
             self.hub_diameter,
         )
         if self.ends in SPLICED:
-            return FinPlates(*plates, through=runs_through(site.lines, self.ends))
+            return FinPlates(*plates, running=Running.of(site.lines, self.ends))
         return CoverPlates(*plates)
 
     def _report(
@@ -385,11 +395,3 @@ def _hub_radii(site: Site, around: Around, bolted: Bolted) -> FloatArray:
     radii = bolted.radii(around, len(site.mesh.vertices))
     left_out = without_hubs(site, 2 * (radii + bolted.setback))
     return np.where(left_out, 0.0, radii)
-
-
-def _runs(site: Site, along: BoolArray, border: BorderEnds | None) -> tuple[ParameterLine, ...]:
-    """The stretches of lines whose edges (E,) are beams along lines, between the border's ends."""
-    if border is None:
-        return tuple(line for line in site.chosen_lines if along[line.edges].all())
-    ends = site.mesh.connectivity.edges
-    return tuple(run for line in site.chosen_lines for run in border.runs(line, along, ends))

@@ -13,6 +13,7 @@ import numpy as np
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.beams.border import BorderEnds
 from freecad_ortho.fabrication.systems.beams.frames import beam_frames
+from freecad_ortho.fabrication.systems.beams.lines import line_runs
 from freecad_ortho.fabrication.systems.edge_beam.geometry import EdgeGeometry
 from freecad_ortho.fabrication.systems.lamellas.axis import Lamella
 from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
@@ -78,7 +79,7 @@ class Border:
         """What is left of lines; pieces without a vertex within the border are left out."""
         found = []
         for line in lines:
-            runs = self._ends.runs(line, self._ends.within, self._edges)
+            runs = line_runs(line, self._ends.within, self._ends.cut, self._edges)
             for number, run in enumerate(runs):
                 ends = [(int(run.edges[k]), int(run.vertices[k])) for k in (0, -1)]
                 cut = [not run.closed and self._cuts(edge, vertex) for edge, vertex in ends]

@@ -103,7 +103,8 @@ def with_cover_plates(making: StarMaking, joined: Sequence[Star]) -> SystemParts
     }
     tables = (making.bolt_list(), node_types(named, list(groups.values()), site.axes))
     bolts = (making.fasteners,)
-    return SystemParts((*arms, *plates), report, _doubts(arms), {}, tables=tables, fasteners=bolts)
+    said = (*making.remarks(), *_doubts(arms))
+    return SystemParts((*arms, *plates), report, said, {}, tables=tables, fasteners=bolts)
 
 
 def with_balls(making: BallMaking, joined: Sequence[Star]) -> SystemParts:

@@ -12,6 +12,7 @@ from freecad_ortho.fabrication.systems.beams.geometry import Splice
 from freecad_ortho.fabrication.systems.nodes.hubs import gaps_after
 from freecad_ortho.fabrication.systems.nodes.star_plates import StarMaking
 from freecad_ortho.fabrication.systems.nodes.stars import Star
+from freecad_ortho.words import counted
 from solver.mesh.quadmesh import FloatArray
 
 
@@ -24,7 +25,7 @@ class FinMaking(StarMaking):
 
     def meets(self, star: Star, number: int) -> bool:
         """Whether a beam ends on one that runs through and is wanted too."""
-        return min(self._beside(star, number)) < np.pi
+        return self._starred(star) or min(self._beside(star, number)) < np.pi
 
     def splice_plates(self) -> tuple[Part, ...]:
         """Two cover plates for each splice, and note its bolts."""
@@ -44,7 +45,33 @@ class FinMaking(StarMaking):
 
     def more(self) -> dict[str, float]:
         """What the report says of these nodes alone."""
-        return {"splices": len(self.beams.splices), "weld_gap_mm": round(self.weld_gap, 3)}
+        stars, turned = self._irregular()
+        return {
+            "splices": len(self.beams.splices),
+            "stars": stars,
+            "turned": turned,
+            "weld_gap_mm": round(self.weld_gap, 3),
+        }
+
+    def remarks(self) -> tuple[str, ...]:
+        """Where lines end or give way within the net."""
+        stars, turned = self._irregular()
+        if not stars:
+            return ()
+        return (
+            f"nodes: lines end at {counted(stars, 'vertex', 'vertices')} where stars of plates "
+            f"join them; {counted(turned, 'edge')} where lines that run through give way to others",
+        )
+
+    def _irregular(self) -> tuple[int, int]:
+        """How many vertices have stars, and how many beams run through at one of their ends."""
+        joined, running = self.beams.hub_radii > 0, self.covers.running
+        turned = running.turned & self.beams.built
+        return int((running.stars & joined).sum()), int(turned.sum())
+
+    def _starred(self, star: Star) -> bool:
+        """Whether no beam runs through a vertex, so that all are bolted to a star of plates."""
+        return bool(self.covers.running.stars[star.vertex])
 
     def _splice(self, splice: Splice) -> tuple[FloatArray, FloatArray]:
         """The middle of a splice along its beam and up, and its bolts (N, 2) from there."""
@@ -66,14 +93,15 @@ class FinMaking(StarMaking):
     def _beside(self, star: Star, number: int) -> tuple[float, float]:
         """Angles from a beam to those that run through on its left and right; pi for none."""
         gaps = gaps_after(star.turn)
-        count = len(self.names)
         left, right = float(gaps[number]), float(gaps[number - 1])
-        after = int(star.half_edges[(number + 1) % len(gaps)]) % count
-        before = int(star.half_edges[number - 1]) % count
-        runs = self.covers.through
+        after = int(star.half_edges[(number + 1) % len(gaps)])
+        before = int(star.half_edges[number - 1])
+        runs = self.covers.running.half_edges
         return (left if runs[after] else np.pi), (right if runs[before] else np.pi)
 
     def _start(self, star: Star, number: int, place: tuple[int, int]) -> tuple[float, float, float]:
+        if self._starred(star):
+            return super()._start(star, number, place)
         edge, end = place
         half, slant = self.covers.web / 2, np.hypot(1.0, float(self.beams.slopes[edge, end]))
         left, right = self._beside(star, number)
@@ -88,6 +116,8 @@ class FinMaking(StarMaking):
 
     def _doubts(self, star: Star, arm: int, beam: str) -> list[str]:
         """What keeps the bolts of a beam from being put in and tightened."""
+        if self._starred(star):
+            return super()._doubts(star, arm, beam)
         left, right = self._beside(star, arm)
         needed = float(self.covers.needed(np.array([left]), np.array([right]))[0])
         radius = float(self.beams.hub_radii[star.vertex])

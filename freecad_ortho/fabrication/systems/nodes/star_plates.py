@@ -93,7 +93,7 @@ class StarMaking:
         outline = np.array([flat[k] for k in (inner, outer, outer + 5, inner + 5)]) - origin[:2]
         if end:
             outline = outline[[1, 0, 3, 2]]
-        pattern = _pattern(name, self.names[edge], outline, holes, bevels_of(body), end)
+        pattern = _pattern(name, self._part_of(edge), outline, holes, bevels_of(body), end)
         frame = self.beams.frame[edge]
         return plate_part(
             self.site,
@@ -177,9 +177,13 @@ class StarMaking:
     def _place_bolts(self, arm: str, place: tuple[int, int]) -> None:
         """Note where the bolts of a joint stand, their heads on the right of the beam."""
         edge, end = place
-        beam = self.names[edge]
-        for name, places in ((arm, self.places), (beam + self.web, self.beside)):
-            self.bolt_through(edge, places[edge, end], f"{beam}-{_ENDS[end]}", name)
+        plates, web = f"{self.names[edge]}-{_ENDS[end]}", self._part_of(edge) + self.web
+        for name, places in ((arm, self.places), (web, self.beside)):
+            self.bolt_through(edge, places[edge, end], plates, name)
+
+    def _part_of(self, edge: int) -> str:
+        """Name of the beam along an edge, or of the folded plate that it is a part of."""
+        return self.beams.folded.get(edge, self.names[edge])
 
     def bolt_through(self, edge: int, flat: FloatArray, plates: str, joined: str) -> None:
         """Note bolts at places (N, 2) in the plane of a beam, through what both plates join."""
@@ -193,6 +197,10 @@ class StarMaking:
     def more(self) -> dict[str, float]:
         """What the report says of these nodes alone."""
         return {}
+
+    def remarks(self) -> tuple[str, ...]:
+        """Messages about these nodes."""
+        return ()
 
     @property
     def fasteners(self) -> Fasteners:
