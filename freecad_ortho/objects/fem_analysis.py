@@ -60,6 +60,11 @@ def create(
         members.append(fem_loads.create(document, case.name, factor, joined.forces(case.loads)))
     for member in (lines, *members):
         analysis.addObject(member)
+    if FreeCAD.GuiUp:
+        import FemGui
+
+        # As with an analysis of FreeCAD's own: "Run solver" asks for an active one.
+        FemGui.setActiveAnalysis(analysis)
     return analysis
 
 

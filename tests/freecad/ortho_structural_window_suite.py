@@ -1,5 +1,10 @@
 """Structural checks in FreeCAD's window: the panel, what is drawn, what swings."""
 
+import contextlib
+import shutil
+import unittest
+from importlib.util import find_spec
+
 import FreeCAD
 import FreeCADGui
 import numpy as np
@@ -8,7 +13,7 @@ from ortho_suite_cases import WindowCase
 from ortho_suite_tools import press, wait
 from ortho_tutorial import Tutorial
 
-from freecad_ortho import api, convert
+from freecad_ortho import answers, api, convert
 from freecad_ortho.panels import structural_panel
 from freecad_ortho.window import dialogs
 
@@ -106,8 +111,6 @@ class TestPanel(CheckWindowCase):
         self.replace(
             dialogs, "ask_sections", lambda lists: ("tube:100x60x5+tube:150x100x6.3", "all")
         )
-        from freecad_ortho import answers
-
         answers.ask("size check", check)
         self.assertEqual((check.Section, check.Passed), ("tube:150x100x6.3", True))
         self.assertIn("size_structural_check", self.lines[-1])
@@ -139,8 +142,6 @@ class TestPanel(CheckWindowCase):
     def test_files_go_where_the_user_says(self):
         check, folder = self.check(), tools.SCRATCH / "check-window"
         self.replace(dialogs, "ask_folder", lambda: str(folder))
-        from freecad_ortho import answers
-
         answers.ask("write check", check)
         self.assertTrue((folder / "check.html").exists())
         self.assertIn(str(folder), self.said[-1])
@@ -276,13 +277,8 @@ class TestView(CheckWindowCase):
             self.assertIn(view.Combination, view.getEnumerationsOfProperty("Combination"))
             view.Proxy.next_combination()
 
+    @unittest.skipUnless(find_spec("ObjectsFem"), "needs the FEM workbench of FreeCAD")
     def test_the_drawn_combination_becomes_an_analysis(self):
-        from importlib.util import find_spec
-
-        from freecad_ortho import answers
-
-        if find_spec("ObjectsFem") is None:
-            self.skipTest("needs the FEM workbench of FreeCAD")
         check = self.check(wind=["0.6@x"])
         check.ViewObject.Combination = check.CombinationNames[2]
         answers.ask("analyse check", check)
@@ -292,6 +288,33 @@ class TestView(CheckWindowCase):
         self.assertTrue(analysis.Label.endswith(check.CombinationNames[2]))
         self.document.undo()
         self.assertIsNone(self.document.getObject("NetAnalysis"))
+
+    @unittest.skipUnless(find_spec("ObjectsFem") and shutil.which("ccx"), "needs CalculiX")
+    def test_the_button_that_runs_the_solver_finds_the_displacements(self):
+        with contextlib.suppress(ImportError):
+            # FreeCAD 1.1 asks about the VTK that cadquery brings.
+            from femguiutils import vtk_module_handling
+
+            vars(vtk_module_handling)["__user_input_received"] = True
+        import femcommands.commands  # noqa: F401
+        from femsolver import run
+
+        check = self.check(supports="corners:fixed", section="plate:20x200")
+        service = next(name for name in check.CombinationNames if name.startswith("service"))
+        analysis = api.add_fem_analysis(check, service)
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(self.document.getObject("SolverCalculiX"))
+        self.assertTrue(FreeCADGui.isCommandActive("FEM_SolverRun"))
+        FreeCADGui.runCommand("FEM_SolverRun")
+        run._machines.clear()
+        (found,) = (one for one in analysis.Group if one.isDerivedFrom("Fem::FemResultObject"))
+        names, nodes = list(check.CombinationNames), len(self.net.Vertices)
+        self.assertEqual(list(found.NodeNumbers[:nodes]), list(range(1, nodes + 1)))
+        ours = convert.array(check.AllDisplacements).reshape(len(names), -1, 3)
+        ours = ours[names.index(service), :nodes]
+        theirs = convert.array(found.DisplacementVectors)[:nodes]
+        apart = np.linalg.norm(theirs - ours, axis=1).max()
+        self.assertLess(apart, 0.12 * np.linalg.norm(ours, axis=1).max())
 
     def test_shapes_are_drawn_as_large_as_is_said(self):
         check = self.check()
