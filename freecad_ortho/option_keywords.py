@@ -59,6 +59,7 @@ StepWord = Literal["one", "systems", "in-place"]
 HardwareWord = Literal["list", "solids"]
 PaperWord = Literal["a4", "a3", "a2", "a1", "a0"]
 IfcAssembliesWord = Literal["systems", "lines", "rings"]
+IfcPartsWord = Literal["facets", "exact"]
 RhinoPartsWord = Literal["meshes", "solids"]
 MovingWord = Literal["lambda", "mu", "nu"]
 FamilyWord = Literal["u", "v", "both"]
@@ -181,6 +182,7 @@ class WorkshopSettings(TypedDict, total=False):
     sheet_sizes: str
     label_sheet: str
     ifc_assemblies: Literal["systems", "lines", "rings"]
+    ifc_parts: Literal["facets", "exact"]
     rhino_parts: Literal["meshes", "solids"]
 
 

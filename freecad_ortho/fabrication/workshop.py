@@ -23,6 +23,7 @@ GRAINS = ("none", "along")
 NESTINGS = ("boxes", "outlines")
 HARDWARE = ("list", "solids")
 IFC_ASSEMBLIES = ("systems", "lines", "rings")
+IFC_PARTS = ("facets", "exact")
 RHINO_PARTS = ("meshes", "solids")
 STEP_FILES = ("one", "systems", "in-place")
 # Tubes that differ by more percent are not one section by any standard.
@@ -74,6 +75,7 @@ class Workshop:
             clock the same structure would not give the same file.
         label_sheet: a name or a description of ``label_form``.
         ifc_assemblies: of IFC hold the parts of "systems", of "lines" of the net or of "rings".
+        ifc_parts: bent sides in IFC as "facets" within 0.05 mm, or "exact".
         rhino_parts: in Rhino's files as "meshes", or as "solids" where their sides are plane.
 
     Raises:
@@ -108,6 +110,7 @@ class Workshop:
     sheet_sizes: str = ""
     label_sheet: str = "3x8"
     ifc_assemblies: str = "systems"
+    ifc_parts: str = "facets"
     rhino_parts: str = "meshes"
 
     options: ClassVar[tuple[Option, ...]] = (
@@ -231,6 +234,13 @@ class Workshop:
             IFC_ASSEMBLIES,
             title="Assemblies in IFC",
             shown={"systems": "by system", "lines": "by line", "rings": "by ring"},
+        ),
+        Option(
+            *("ifc_parts", "facets", "choice"),
+            "bent sides in IFC are facets, or exact for programs that read those",
+            IFC_PARTS,
+            title="Parts in IFC",
+            shown={"facets": "facets", "exact": "exact"},
         ),
         Option(
             *("rhino_parts", "meshes", "choice"),

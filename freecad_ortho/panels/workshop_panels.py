@@ -36,7 +36,7 @@ _SHEETS = tuple(option.name for option in ON_SHEETS if option.name != "kerf")
 _BARS = ("stock", "saw", "trim", "rest", "section_tolerance")
 _FILES = ("dxf", "dxf_version", "dxf_text", "step", "step_tolerance", "hardware", "equal")
 _COSTS = ("stock_lengths", "sheet_sizes", "prices")
-_PAPER = ("paper", "date", "label_sheet", "ifc_assemblies", "rhino_parts")
+_PAPER = ("paper", "date", "label_sheet", "ifc_assemblies", "ifc_parts", "rhino_parts")
 _SITE = ("site_origin", "site_rotation")
 
 

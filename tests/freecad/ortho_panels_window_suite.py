@@ -357,7 +357,7 @@ class TestStock(WindowCase):
         changes |= {"step": "systems", "site_origin": "1000,2000,30", "site_rotation": 15.0}
         changes |= {"stock_lengths": "3000,12000", "equal": 1.0}
         changes |= {"paper": "a1", "date": "1 May", "label_sheet": "4x10", "rhino_parts": "solids"}
-        changes |= {"ifc_assemblies": "lines"}
+        changes |= {"ifc_assemblies": "lines", "ifc_parts": "exact"}
         # All files for other programs, those too whose package is missing here.
         ticked = tuple(FORMATS)
         for changed in (False, True):

@@ -74,11 +74,28 @@ def facets(part: Part) -> Facets:
         sides = tuple((tuple(loop),) for loop in part.body.loops)
         return Facets(np.asarray(part.body.corners), sides, exact=True)
     if part.body not in _known:
-        from OCP.TopLoc import TopLoc_Location
-
-        shape = part.solid().wrapped.Located(TopLoc_Location())
+        shape = solid_of(part)
         _known[part.body] = _plane_sides(shape) or _triangles(shape)
     return _known[part.body]
+
+
+def solid_of(part: Part) -> Any:
+    """The CAD kernel's solid of a part in its own coordinates."""
+    from OCP.TopLoc import TopLoc_Location
+
+    return part.solid().wrapped.Located(TopLoc_Location())
+
+
+def has_plane_sides(part: Part) -> bool:
+    """Whether all sides of a part are plane and straight, so that its facets are they."""
+    if isinstance(part.body, Polyhedron):
+        return True
+    if part.body in _known:
+        return _known[part.body].exact
+    found = _plane_sides(solid_of(part))
+    if found is not None:
+        _known[part.body] = found
+    return found is not None
 
 
 class _Corners:

@@ -1,7 +1,8 @@
 """IFC 4: site, building, storey, in it a grid and assemblies of parts and bolts.
 
 Classes, quantities and units are those of ISO 16739-1. Sides that are plane are exact, bent ones
-are triangles within ``facets.CHORD``. Parts that agree within the STEP tolerance share a geometry.
+are triangles within ``facets.CHORD`` or exact too, by choice. Parts that agree within the STEP
+tolerance share a geometry.
 """
 
 from __future__ import annotations
@@ -19,8 +20,9 @@ from freecad_ortho.fabrication.bolts import GRADE
 from freecad_ortho.fabrication.colours import colour_of
 from freecad_ortho.fabrication.datum import Datum
 from freecad_ortho.fabrication.equal import copies
-from freecad_ortho.fabrication.exchange.facets import Facets, facets
+from freecad_ortho.fabrication.exchange.facets import Facets, facets, has_plane_sides, solid_of
 from freecad_ortho.fabrication.exchange.ifc_assemblies import assembly_names
+from freecad_ortho.fabrication.exchange.ifc_breps import advanced_brep
 from freecad_ortho.fabrication.exchange.ifc_colours import Styles
 from freecad_ortho.fabrication.exchange.ifc_facts import Facts, class_of
 from freecad_ortho.fabrication.exchange.ifc_fasteners import fastener_type
@@ -254,7 +256,8 @@ class _Model:
             if number % 16 == 0:
                 say(number)
             if copy.first == number:
-                shape = self._shape(facets(part), body)
+                exact = facts.production.workshop.ifc_parts == "exact"
+                shape = self._shape_of(part, body, exact)
                 self.styles.paint(shape.Items, part.material.name, colour_of(part.material))
                 if number in shared:
                     maps[number] = self._type(part, shape)
@@ -300,6 +303,14 @@ class _Model:
             owner.elements.append(found[-1])
         self.materials.setdefault((_BOLT_STEEL, ""), []).extend(found)
         self.make("IfcRelDefinesByType", self.guid(f"of type {key}"), None, None, None, found, kind)
+
+    def _shape_of(self, part: Part, body: Any, exact: bool) -> Any:
+        """The sides of a part; bent ones as facets where they are not to be exact, or cannot."""
+        if exact and not has_plane_sides(part):
+            item = advanced_brep(self.make, solid_of(part))
+            if item is not None:
+                return self.make("IfcShapeRepresentation", body, "Body", "AdvancedBrep", [item])
+        return self._shape(facets(part), body)
 
     def _shape(self, sides: Facets, body: Any) -> Any:
         points = self.make("IfcCartesianPointList3D", np.round(sides.points, _DIGITS).tolist())

@@ -3663,6 +3663,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Parts in IFC</source>
+   <translation>Teile in IFC</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Pattern</source>
    <translation>Zuschnitt</translation>
   </message>
@@ -5481,6 +5486,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>bent sides in IFC are facets, or exact for programs that read those</source>
+   <translation>gebogene Seiten in IFC sind Facetten, oder genau für Programme, die das lesen</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>bevel</source>
    <translation>abgeschrägt</translation>
   </message>
@@ -5766,6 +5776,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>exact</source>
+   <translation>genau</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>exactly flat</source>
    <translation>genau eben</translation>
   </message>
@@ -5788,6 +5803,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>faces of this size leave the surface by {} between their corners: take a finer mesh, or allow as much</source>
    <translation>Flächen dieser Größe weichen zwischen ihren Ecken um {} von der Fläche ab: nehmen Sie ein feineres Netz, oder lassen Sie so viel zu</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>facets</source>
+   <translation>Facetten</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/check_shapes.py" />

@@ -3663,6 +3663,11 @@
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>Parts in IFC</source>
+   <translation>Pièces en IFC</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>Pattern</source>
    <translation>Développé</translation>
   </message>
@@ -5481,6 +5486,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>bent sides in IFC are facets, or exact for programs that read those</source>
+   <translation>les faces courbes en IFC sont des facettes, ou exactes pour les programmes qui les lisent</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>bevel</source>
    <translation>biseauté</translation>
   </message>
@@ -5766,6 +5776,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
   </message>
   <message>
    <location filename="../../../scripts/catalogue_words.py" />
+   <source>exact</source>
+   <translation>exactes</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
    <source>exactly flat</source>
    <translation>exactement plan</translation>
   </message>
@@ -5788,6 +5803,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../freecad_ortho/panels/net_words.py" />
    <source>faces of this size leave the surface by {} between their corners: take a finer mesh, or allow as much</source>
    <translation>des faces de cette taille s'écartent de {} de la surface entre leurs coins : prenez un maillage plus fin, ou admettez autant</translation>
+  </message>
+  <message>
+   <location filename="../../../scripts/catalogue_words.py" />
+   <source>facets</source>
+   <translation>facettes</translation>
   </message>
   <message>
    <location filename="../../../freecad_ortho/view/check_shapes.py" />
