@@ -7,16 +7,19 @@ and panels stiffen. Loaded only where the FEM workbench is.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import threading
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
+import FreeCAD
 from femmesh.meshsetsgetter import MeshSetsGetter
 from femsolver import run
 from femsolver.calculix import solver as calculix
 from femsolver.calculix import tasks
 from femsolver.calculix.writer import FemInputWriterCcx
 from femtools import membertools
+from PySide import QtCore
 
 from freecad_ortho.objects.fem_loads import is_loads
 
@@ -28,6 +31,8 @@ except ImportError:
 
 _STEP, _END, _ELEMENT, _SECTION = "*STEP", "*END STEP", "TYPE=B32,", "*BEAM SECTION"
 _OLD_SECTION = "*BEAM GENERAL SECTION"
+# Seconds between looks for work that waits for the window.
+_PAUSE = 0.02
 
 
 class Solver(calculix.Proxy):
@@ -44,15 +49,72 @@ class Solver(calculix.Proxy):
 
     def createMachine(self, obj: Any, directory: str, testmode: bool = False) -> Any:
         """FreeCAD's steps, with another way to write the input."""
-        return run.Machine(
+        return Machine(
             solver=obj,
             directory=directory,
             check=tasks.Check(),
             prepare=Prepare(),
             solve=tasks.Solve(),
-            results=tasks.Results(),
+            results=Results(),
             testmode=testmode,
         )
+
+
+class _Errand(QtCore.QObject):
+    """Has work of another thread done in the one of the window."""
+
+    asked = QtCore.Signal()
+
+    def __init__(self, work: Callable[[], None]) -> None:
+        super().__init__()
+        self._work, self._done = work, threading.Event()
+        self._error: Exception | None = None
+        self.moveToThread(QtCore.QCoreApplication.instance().thread())
+        self.asked.connect(self._run, QtCore.Qt.QueuedConnection)
+
+    @QtCore.Slot()
+    def _run(self) -> None:
+        try:
+            self._work()
+        except Exception as error:
+            self._error = error
+        finally:
+            self._done.set()
+
+    def run(self) -> None:
+        """Wait until it is done; raise what it raised."""
+        self.asked.emit()
+        self._done.wait()
+        if self._error is not None:
+            raise self._error
+
+
+def _beside_the_window() -> bool:
+    return bool(FreeCAD.GuiUp) and threading.current_thread() is not threading.main_thread()
+
+
+class Machine(run.Machine):
+    """FreeCAD's, of which the window does not wait in vain where it is waited for."""
+
+    def join(self) -> None:
+        """Wait for the end, and do meanwhile what only the window's thread can."""
+        if not FreeCAD.GuiUp or _beside_the_window():
+            super().join()
+            return
+        while self._thread is not None and self._thread.is_alive():
+            QtCore.QCoreApplication.processEvents(QtCore.QEventLoop.ExcludeUserInputEvents)
+            self._thread.join(_PAUSE)
+
+
+class Results(tasks.Results):
+    """FreeCAD's reading of results, in the thread that documents belong to."""
+
+    def run(self) -> None:
+        """Put them into the document; FreeCAD 1.1 waits for its window there."""
+        if _beside_the_window():
+            _Errand(super().run).run()
+        else:
+            super().run()
 
 
 class Sets(MeshSetsGetter):
