@@ -50,12 +50,12 @@ NETS: dict[str, tuple[str, Options, tuple[str, ...]]] = {
 ROWS, COLUMNS, EDGE = 26, 19, 1.3
 # Nets that are asked of starts with noise, and with which weights of evenness.
 NOISY = {
-    "isogonal": (None, 1.0),
-    "isothermic": (None, 1.0),
+    "isogonal": (0.0, None),
+    "isothermic": (0.0, None),
     "planar-lines": (None,),
     "planar-lines, both": (None,),
-    "pseudo-geodesic": (None, 1.0),
-    "pseudo-geodesic, 60": (None,),
+    "pseudo-geodesic": (0.0, None),
+    "pseudo-geodesic, 60": (0.0, None),
 }
 SEEDS, AMOUNT = 10, 0.1
 
@@ -131,8 +131,9 @@ def noise_table() -> str:
                 even = [r.form.zigzag for r in found]
                 off = max(r.form.off_surface.percent for r in found)
                 area = min(r.form.area_ratio for r in found)
+                given = "" if weight is None else f"{weight:g}"
                 lines.append(
-                    f"| {name} | {what} | {weight or ''} | {exact} of {SEEDS} "
+                    f"| {name} | {what} | {given} | {exact} of {SEEDS} "
                     f"| {np.median(even):.2f}, {min(even):.2f} | {off:.1f} % | {area:.2f} |"
                 )
                 print(lines[-1], flush=True)

@@ -12,6 +12,7 @@ import numpy as np
 from solver.align.reach import beyond, reaching
 from solver.analysis.form import surface_of
 from solver.analysis.kinds import ALIKE, ALIKE_DEG, NODES
+from solver.analysis.measures import smoothness
 from solver.analysis.start import coarse_faces, start_remarks
 from solver.errors import InputError, refuse_unknown
 from solver.last_phase import Aim
@@ -179,6 +180,9 @@ def start_optimisation(
     weights = replace(
         Weights(), **{key: value for key, value in given.items() if value is not None}
     )
+    tuning = tuning or Tuning()
+    if evenness is None and fairness is None and _is_rough(asked, mesh, tuning):
+        weights = replace(weights, evenness=tuning.calming)
     wish = _repeated(mesh, repeat, kinds, alike, alike_angle)
     origin = LocalOrigin.of_mesh(mesh)
     mesh = origin.near_mesh(mesh)
@@ -225,7 +229,7 @@ def start_optimisation(
         wanted,
         weights,
         once,
-        tuning or Tuning(),
+        tuning,
         standing.standing,
         multi_patch,
     )
@@ -274,6 +278,11 @@ def refuse_no_end(tolerance: float, max_steps: int) -> None:
     """
     WEIGHTS["tolerance"].check(tolerance)
     STEPS.check(max_steps)
+
+
+def _is_rough(asked: Net, mesh: QuadMesh, tuning: Tuning) -> bool:
+    """Whether the start has noise that the net would keep."""
+    return asked.way.calms and smoothness(mesh) < tuning.rough
 
 
 def _surface(asked: Net, mesh: QuadMesh, wanted: Constraints) -> TriangleSurface | None:

@@ -57,6 +57,8 @@ class Tuning:
         domes: of doubly curved ones, which have to give up a curvature,
         bent: and of such from which it has been taken.
         smooth: third differences of a start up to which it has no noise to be smoothed away.
+        rough: a start whose lines bend less evenly than this has noise in it,
+        calming: and this weight of evenness draws them even, where a net would keep it.
         nearest_fairness: factors of the attempt that looks for the nearest net: on fairness
         nearest_closeness: and on closeness.
         fairer: factor on fairness of the attempts against collapse: once, and squared.
@@ -206,6 +208,8 @@ class Tuning:
     domes: tuple[float, ...] = (30.0, 3.0, 0.3)
     bent: tuple[float, ...] = (3.0, 30.0, 0.3)
     smooth: float = 0.05
+    rough: float = 0.1
+    calming: float = 1.0
     nearest_fairness: float = 0.1
     nearest_closeness: float = 10.0
     fairer: float = 10.0

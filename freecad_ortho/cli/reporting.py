@@ -89,21 +89,37 @@ def _build_lines(score: dict[str, Any]) -> str:
     short, long = score["length_range"]
     small, large = score["area_range"]
     rows = (
-        ("planarity of faces", f"{score['planarity']:.4f}", "1 + mean; 1 is flat"),
+        (
+            "planarity of faces",
+            f"{score['planarity']:.4f}",
+            "1 + mean miss / half the circumference; 1 where all are flat",
+        ),
         ("joints", f"{score['joints']}", ""),
-        ("kinds of joints", f"{score['joint_kinds']}", "within 0.01 of unit directions"),
-        ("lengths of beams", f"{score['lengths']:.4f}", "1 + deviation / mean; 1 is equal"),
+        (
+            "kinds of joints",
+            f"{score['joint_kinds']}",
+            "directions of edges alike within 0.01, some 0.6 degrees",
+        ),
+        (
+            "lengths of beams",
+            f"{score['lengths']:.4f}",
+            "1 + standard deviation / mean; 1 where all are equal",
+        ),
         ("cross sections", f"{score['sections']}", "as given by --sections"),
-        ("kinds of lengths", f"{score['length_kinds']}", f"in 5 mm; {short:.0f} to {long:.0f} mm"),
+        (
+            "kinds of lengths",
+            f"{score['length_kinds']}",
+            f"alike within 2.5 mm; {short:.0f} to {long:.0f} mm long",
+        ),
         (
             "kinds of panels",
             f"{score['panel_kinds']}",
-            f"within 2.5 mm; {small:.2f} to {large:.2f} m2",
+            f"corners alike within 2.5 mm; {small:.2f} to {large:.2f} m2",
         ),
     )
     return "\n".join(
         [
-            "buildability",
+            "buildability, less is better",
             *(f"{name:<20}{value:>10}   {words}".rstrip() for name, value, words in rows),
         ]
     )

@@ -7,7 +7,7 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 from solver.analysis.curvature import angle_defects, inner_vertices
-from solver.analysis.start import twisted_lines
+from solver.analysis.start import bent_lines, twisted_lines
 from solver.mesh.local_origin import LocalOrigin, resolution
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.nets import NETS, Measure, Net
@@ -33,7 +33,7 @@ class Advice:
             what tells this net from others.
         possible: whether a mesh of this shape can be near such a net.
         cause: one word for the reason, empty where there is none: ``bulges``, ``bends``,
-            ``diagonal`` or ``oblique``.
+            ``bent``, ``bulging``, ``diagonal`` or ``oblique``.
         reason: why not, or what will happen to the shape, in one sentence.
     """
 
@@ -104,7 +104,7 @@ class _Shape:
         distance = max(means.values())
         # Right angles across the diagonals are nothing that other nets ask for.
         own = [mean for measure, mean in means.items() if diagonal or not measure.square]
-        doubt = self._doubt(net)
+        doubt = self._doubt(net, diagonal)
         return Advice(net.name, diagonal, distance, max(own, default=distance), *doubt)
 
     def _mean(self, measure: Measure, diagonal: bool) -> float:
@@ -116,10 +116,13 @@ class _Shape:
             self._means[key] = float(counted.mean()) if len(counted) else 0.0
         return self._means[key]
 
-    def _doubt(self, net: Net) -> tuple[bool, str, str]:
+    def _doubt(self, net: Net, diagonal: bool) -> tuple[bool, str, str]:
         """Whether the mesh can be near a net, and the cause and reason where it may not."""
         if net.shape in ("minimal", "saddle") and self._positive > _MOST:
             return False, "bulges", _bulges(self._positive)
+        bent = bent_lines(self._mesh, diagonal) if net.shape == "saddle" else None
+        if bent is not None:
+            return False, bent.cause, str(bent)
         if net.shape == "developable" and self._positive + self._negative > _MOST:
             return True, "bends", _BENDS
         if net.along_curvature and self._twisted is not None:

@@ -80,7 +80,7 @@ def build_score(mesh: QuadMesh, millimetres: float, sections: int = 1) -> BuildS
     if len(beams) < 2:
         raise InputError(
             f"build: no beams longer than {SHORTEST_M:g} m, the longest edge has "
-            f"{lengths.max():.3g} m; mind the unit of the mesh"
+            f"{lengths.max():.3g} m; mind the unit of the mesh (--unit m)"
         )
     areas = np.linalg.norm(mesh.face_area_vectors, axis=1) * (millimetres / 1000) ** 2
     return BuildScore(

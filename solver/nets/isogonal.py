@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from solver.analysis import measures
-from solver.nets.net import Measure, Net
+from solver.nets.net import Measure, Net, Way
 from solver.nets.options import NetOptions
 from solver.nets.orthogonal import require_angle
 from solver.problem import Problem
@@ -32,5 +32,6 @@ NETS = (
         ),
         options=("angle", "singular"),
         general=True,
+        way=Way(calms=True),
     ),
 )

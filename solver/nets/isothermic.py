@@ -38,6 +38,6 @@ NETS = (
             Measure("dual ratio", koenigs, "vertex"),
         ),
         along_curvature=True,
-        way=Way(easier=(Easier("circular"),)),
+        way=Way(easier=(Easier("circular"),), calms=True),
     ),
 )

@@ -88,6 +88,8 @@ class Way:
         guarded: the net is reached as easily with faces crossed over as without: guards stand by
             from the start.
         evenness: weights of evenness in the attempts after the first.
+        calms: so much is free that noise of the start would stay: where its lines zigzag they are
+            drawn even.
         early: a net whose lines zigzag is led on along the nets, near to the start where no other
             surface is given, before other guides are tried.
     """
@@ -97,6 +99,7 @@ class Way:
     rigid: bool = False
     guarded: bool = False
     evenness: tuple[float, ...] = (1.0,)
+    calms: bool = False
     early: bool = False
 
 

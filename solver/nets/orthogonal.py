@@ -11,7 +11,7 @@ from solver.errors import InputError
 from solver.mesh.combed import Combed
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
-from solver.nets.net import Measure, Net
+from solver.nets.net import Measure, Net, Way
 from solver.nets.options import NetOptions, stars_of
 from solver.problem import Problem, of_mesh
 from solver.terms.medial_angle import MedialAngle
@@ -131,5 +131,6 @@ NETS = (
         measures=(ORTHOGONALITY,),
         options=("angle", "singular"),
         general=True,
+        way=Way(calms=True),
     ),
 )

@@ -94,6 +94,6 @@ NETS = (
         telling=True,
         stays=True,
         turning=("tilt_u", "tilt_v"),
-        way=Way(evenness=(3.0, 30.0)),
+        way=Way(evenness=(3.0, 30.0), calms=True),
     ),
 )

@@ -229,6 +229,16 @@ def test_three_families_of_a_web_run_straight_on_a_freeform_saddle(kind):
         assert np.abs(flat).max() < 1e-10 * mesh.mean_edge
 
 
+@pytest.mark.parametrize("net", ["orthogonal", "isogonal", "isothermic"])
+def test_lines_with_noise_are_drawn_even_and_even_ones_are_left_as_they_were(net):
+    roof = freeform_roof(12, 10)
+    start = noisy(roof, 0.1)
+    found = {weight: optimise(start, net, evenness=weight).report.form for weight in (None, 0.0)}
+    assert found[None].zigzag_start < 0 and found[None].zigzag > 0.5 > found[0.0].zigzag + 0.5
+    even = [optimise(roof, net, evenness=weight).mesh.vertices for weight in (None, 0.0)]
+    assert np.array_equal(*even)
+
+
 @pytest.mark.parametrize(("net", "options"), [("asymptotic-angle", {}), ("web", {"web": "aag"})])
 def test_a_saddle_across_its_asymptotic_lines_is_told_soon_and_never_called_a_success(net, options):
     u, v = np.meshgrid(np.linspace(-0.5, 0.5, 14), np.linspace(-0.5, 0.5, 11), indexing="ij")
