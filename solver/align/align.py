@@ -26,6 +26,7 @@ from solver.align.guides import (
 )
 from solver.align.options import OPTIONS
 from solver.align.overhang import carried_on
+from solver.align.patches import net_along_creases, net_on_flat_faces
 from solver.align.prepare import Work, openings, prepared
 from solver.align.remarks import BUNCHED, say_border, say_bunched, say_strokes, short_edges
 from solver.align.seamless import FIRM, seamless_map
@@ -57,6 +58,9 @@ _GRAINS = 32
 _REMEDY = "give a shorter edge, or smooth the surface there"
 # How much curvature says about directions, less where lines that follow it would cross.
 _CALM = (1.0, 0.1, 1e-2, 1e-3)
+
+# Nets whose lines run along curvature, or along creases.
+_ALONG = ("principal", "developable")
 
 
 @dataclass(frozen=True, eq=False)
@@ -132,14 +136,22 @@ def aligned(
     if mirrors:
         given = surface = symmetric_surface(surface, mirrors)
         singularities = singularities and symmetric_singular(singularities, mirrors, edge)
+    # What is asked for beside creases is followed by directions only.
+    plain = net in _ALONG and ratio == 1 and not strokes and singularities is None
+    faced = net_on_flat_faces(surface, mirrors, edge, remarks) if plain else None
+    if faced is not None:
+        return _whole(faced, remarks)
     loops = openings(surface, edge, remarks)
     smooth, work = prepared(surface, edge, min(edge, edge * ratio), remarks)
     waiting("directions")
     guide = net_guide(work.mesh, work.inner, work.tensors, net, edge, stands_on, remarks)
+    faced = net_along_creases(smooth, work, guide, mirrors, edge, remarks) if plain else None
+    if faced is not None:
+        return _whole(faced, remarks)
     lines = [grain * np.round(np.asarray(stroke) / grain) for stroke in strokes]
     lines = with_images(lines, mirrors)
     follows = border == "follow"
-    if follows and net in ("principal", "developable"):
+    if follows and net in _ALONG:
         say_border(work.mesh, guide, edge, remarks)
     say_strokes(work.mesh, guide, lines, edge, net, remarks)
     asked = _Asked.of(work, guide, (edge, edge * ratio), follows, lines, singularities, mirrors)
@@ -159,6 +171,14 @@ def aligned(
         symmetric_singular(Singular.of(work.mesh, field, asked.guide), mirrors, edge),
         tuple(remarks),
     )
+
+
+def _whole(net: QuadMesh, remarks: list[str]) -> Aligned:
+    """A net that ends at the border, and did not come of a field."""
+    connected = net.connectivity
+    irregular = np.flatnonzero(~connected.regular & ~connected.boundary_vertices)
+    crosses, singular = Crosses.of_net(net), Singular.of_net(net)
+    return Aligned(net, irregular, (), crosses, singular, tuple(remarks))
 
 
 def _grain(points: FloatArray) -> float:

@@ -10,7 +10,7 @@ from solver.align.field import QUARTER, Field, GuidingField
 from solver.align.triangle_mesh import TriangleMesh
 from solver.errors import InputError
 from solver.mesh.connectivity import IntArray
-from solver.mesh.quadmesh import FloatArray
+from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
 
 # How many lines may meet in a singular vertex.
 VALENCES = (3, 5, 6)
@@ -43,6 +43,15 @@ class Crosses:
         certainty = np.minimum(1.0, guide.certainty[:inner])
         return cls(mesh.centres[:inner], directions, certainty)
 
+    @classmethod
+    def of_net(cls, net: QuadMesh) -> Crosses:
+        """One in each face of a net that did not come of a field: along its middle line."""
+        corners = net.vertices[net.faces]
+        along = unit_rows(corners[:, 1] + corners[:, 2] - corners[:, 0] - corners[:, 3])
+        across = corners[:, 2] + corners[:, 3] - corners[:, 0] - corners[:, 1]
+        across = unit_rows(across - (across * along).sum(axis=1)[:, None] * along)
+        return cls(corners.mean(axis=1), np.stack([along, across], axis=1), np.ones(len(corners)))
+
 
 @dataclass(frozen=True, eq=False)
 class Singular:
@@ -63,6 +72,14 @@ class Singular:
         own[mesh.triangles[: guide.inner]] = True
         chosen = np.flatnonzero(own & (field.quarters != 0))
         return cls(mesh.points[chosen], 4 - field.quarters[chosen])
+
+    @classmethod
+    def of_net(cls, net: QuadMesh) -> Singular:
+        """The irregular vertices inside a net."""
+        connected = net.connectivity
+        chosen = np.flatnonzero(~connected.regular & ~connected.boundary_vertices)
+        lines = np.bincount(net.faces.ravel(), minlength=len(net.vertices))
+        return cls(net.vertices[chosen], lines[chosen])
 
     def moved(self, number: int, place: FloatArray, reach: float) -> Singular:
         """One of them at another place, joined with the one that is there.

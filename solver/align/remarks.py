@@ -54,17 +54,25 @@ def turned_from_border(mesh: TriangleMesh, guide: GuidingField, rim: Features) -
     """
     start, end = (mesh.points[side[rim.edges]] for side in mesh.ends)
     inner = (mesh.edges[rim.edges] // 3).min(axis=1)
-    return _turned(mesh, guide, inner, rim.along, np.linalg.norm(end - start, axis=1))
+    return turned_by(mesh, guide, inner, rim.along, np.linalg.norm(end - start, axis=1))
 
 
-def _turned(
+def turned_by(
     mesh: TriangleMesh,
     guide: GuidingField,
     rows: IntArray,
     along: FloatArray,
     lengths: FloatArray,
 ) -> float:
-    """Mean angle in degrees between pieces of a curve and the guide in triangles below them."""
+    """Mean angle in degrees between pieces of a curve and the guide in triangles below them.
+
+    Args:
+        mesh: the surface, with its apron.
+        guide: directions, by how certain they are.
+        rows: (N,) triangles.
+        along: (N, 3) unit vectors along the pieces.
+        lengths: (N,) of them.
+    """
     first, second = ((along * mesh.axes[rows, k]).sum(axis=1) for k in (0, 1))
     turned = np.arctan2(second, first) - guide.angles[rows]
     turned -= QUARTER * np.round(turned / QUARTER)
@@ -96,7 +104,7 @@ def say_strokes(
         rows: IntArray = centres.query(places)[1]
         if guide.certainty[rows].mean() < _SILENT:
             continue
-        turned = _turned(mesh, guide, rows, along, np.ones(len(rows)))
+        turned = turned_by(mesh, guide, rows, along, np.ones(len(rows)))
         if turned > _ACROSS:
             remarks.append(
                 Sentence(

@@ -1,0 +1,165 @@
+"""Nets on faces that meet at creases: roofs of flat faces, and vaults with groins."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from solver.align.align import aligned
+from solver.align.facets import Facets, carried_on, turning
+from solver.align.features import creased
+from solver.align.patch_counts import counts_along
+from solver.align.triangle_mesh import one_surface
+from solver.analysis import measures
+from solver.mesh.closest import TriangleSurface
+
+HIP = (
+    [(0, 0, 0), (24, 0, 0), (24, 12, 0), (0, 12, 0), (6, 6, 3.5), (18, 6, 3.5)],
+    [(0, 1, 5), (0, 5, 4), (1, 2, 5), (2, 3, 4), (2, 4, 5), (3, 0, 4)],
+)
+# Two wings of 8 m with a valley between them.
+BENT = (
+    [(0, 0, 0), (20, 0, 0), (20, 8, 0), (8, 8, 0), (8, 20, 0), (0, 20, 0)]
+    + [(4, 4, 2.5), (20, 4, 2.5), (4, 20, 2.5)],
+    [(0, 1, 7), (0, 7, 6), (2, 3, 6), (2, 6, 7), (3, 4, 8), (3, 8, 6), (5, 0, 6), (5, 6, 8)],
+)
+GABLE = (
+    [(0, 0, 0), (20, 0, 0), (20, 10, 0), (0, 10, 0), (0, 5, 3), (20, 5, 3)],
+    [(0, 1, 5), (0, 5, 4), (2, 3, 4), (2, 4, 5)],
+)
+UP = np.array([0.3, -0.2, 0.933])
+
+
+def sheet(roof):
+    return np.array(roof[0], dtype=float), np.array(roof[1])
+
+
+def groined(n=41, half=6.0, radius=7.5):
+    """Two barrels over a square, the higher one everywhere, diagonals along their groins."""
+    x, y = (c.ravel() for c in np.meshgrid(*2 * [np.linspace(-half, half, n)], indexing="ij"))
+    points = np.column_stack([x, y, np.sqrt(radius**2 - np.minimum(x**2, y**2))])
+    k = np.arange(n * n).reshape(n, n)
+    a, b, c, d = (q.ravel() for q in (k[:-1, :-1], k[1:, :-1], k[1:, 1:], k[:-1, 1:]))
+    up = points[[a, b, c, d], 0].mean(axis=0) * points[[a, b, c, d], 1].mean(axis=0) > 0
+    one = np.where(up[:, None], np.stack([a, b, c], 1), np.stack([a, b, d], 1))
+    two = np.where(up[:, None], np.stack([a, c, d], 1), np.stack([b, c, d], 1))
+    return points, np.concatenate([one, two])
+
+
+@pytest.fixture(scope="module")
+def vault():
+    return aligned(*groined(), edge=1.6)
+
+
+def run_along(net, start, end):
+    """What part of a straight line edges of a net lie on."""
+    start, end = np.array(start, dtype=float), np.array(end, dtype=float)
+    along = (end - start) / np.linalg.norm(end - start)
+    arms = net.vertices - start
+    on = np.linalg.norm(arms - np.outer(arms @ along, along), axis=1) < 1e-9
+    edges = net.connectivity.edges
+    return net.edge_lengths[on[edges].all(axis=1)].sum() / np.linalg.norm(end - start)
+
+
+@pytest.mark.parametrize("border", ["trim", "follow"])
+@pytest.mark.parametrize(("roof", "irregular"), [(HIP, 4), (BENT, 0), (GABLE, 0)])
+def test_lines_run_along_eaves_ridges_hips_and_valleys(roof, irregular, border):
+    points, triangles = sheet(roof)
+    made = aligned(points, triangles, edge=1.2, border=border)
+    mesh = one_surface(points, triangles)
+    start, end = mesh.half_edges[mesh.rim].T
+    creases = turning(mesh, 0.03)
+    for one, two in [*zip(start, end, strict=True), *np.transpose(mesh.ends)[creases]]:
+        assert run_along(made.mesh, mesh.points[one], mesh.points[two]) == pytest.approx(1.0)
+    assert measures.planarity(made.mesh).max() < 1e-12
+    assert (
+        np.linalg.norm(
+            TriangleSurface(points, triangles).closest(made.mesh.vertices)[0] - made.mesh.vertices,
+            axis=1,
+        ).max()
+        < 1e-12
+    )
+    assert made.mesh.mean_edge == pytest.approx(1.2, rel=0.1)
+    assert made.mesh.edge_lengths.min() > 0.4 * made.mesh.mean_edge
+    assert len(made.irregular) == irregular == len(made.singular.places)
+    assert (made.singular.valences == 3).all()
+    assert not made.border and "flat faces" in made.remarks[0]
+    assert np.abs((made.field.directions[:, 0] * made.field.directions[:, 1]).sum(1)).max() < 1e-12
+
+
+def test_a_gable_roof_has_right_corners():
+    assert measures.orthogonality(aligned(*sheet(GABLE), edge=1.2).mesh).max() < 1e-12
+
+
+def test_anywhere_and_in_any_unit_it_is_the_same_net():
+    points, triangles = sheet(HIP)
+    here = aligned(points, triangles, edge=1.2).mesh
+    turn = np.linalg.qr(np.stack([UP, [1, 0, 0], [0, 1, 0]], axis=1))[0]
+    there = aligned(1e3 * points @ turn.T + 1e7, triangles[::-1], edge=1200.0).mesh
+    moved = 1e3 * here.vertices @ turn.T + 1e7
+    assert len(there.faces) == len(here.faces)
+    off = np.linalg.norm(moved[:, None] - there.vertices, axis=2).min(axis=1)
+    assert off.max() < 1e-4
+
+
+def test_a_symmetric_roof_gets_a_symmetric_net():
+    net = aligned(*sheet(HIP), edge=1.2, symmetry="x,y").mesh
+    images = net.vertices * [-1, 1, 1] + [24, 0, 0]
+    assert np.linalg.norm(images[:, None] - net.vertices, axis=2).min(axis=1).max() < 1e-12
+
+
+def test_lines_run_along_groins_that_curvature_crosses(vault):
+    net = vault.mesh
+    crown = np.flatnonzero(np.linalg.norm(net.vertices - [0, 0, 7.5], axis=1) < 1e-9)
+    assert len(crown) == 1
+    # Groins are over the diagonals of the plan.
+    over = np.abs(np.abs(net.vertices[:, 0]) - np.abs(net.vertices[:, 1])) < 1e-9
+    along = net.connectivity.edges[over[net.connectivity.edges].all(axis=1)]
+    plan = np.linalg.norm(np.diff(net.vertices[along][:, :, :2], axis=1), axis=2).sum()
+    assert plan == pytest.approx(4 * 6 * np.sqrt(2))
+    lower = np.minimum(net.vertices[:, 0] ** 2, net.vertices[:, 1] ** 2)
+    assert np.abs(net.vertices[:, 2] - np.sqrt(7.5**2 - lower)).max() < 0.01
+    assert net.edge_lengths.min() > 0.3 * net.mean_edge
+    assert not measures.flipped(net).any()
+    assert "creases between 4 faces run at" in vault.remarks[-1]
+
+
+def test_a_groin_that_fades_out_at_the_crown_is_carried_on():
+    mesh = one_surface(*groined())
+    sharp = creased(mesh, 1.6)
+    facets = Facets.of(mesh, carried_on(mesh, sharp, 2.4), 1.6)
+    assert [len(sides) for sides in facets.sides] == [3, 3, 3, 3]
+    assert len(facets.chains) == 8
+
+
+@pytest.mark.parametrize("edge", [0.7, 1.1, 1.9, 2.6])
+def test_numbers_along_sides_fit(edge):
+    mesh = one_surface(*sheet(HIP))
+    facets = Facets.of(mesh, turning(mesh, 0.03), edge)
+    along, ways = counts_along(facets, edge)
+    for sides, inside in zip(facets.sides, ways, strict=True):
+        sums = [sum(along[number] for number, _ in side) for side in sides]
+        if len(sides) == 4:
+            assert sums[:2] == sums[2:]
+        else:
+            assert min(inside) > 0
+            assert sums == [inside[k - 1] + inside[k - 2] for k in range(3)]
+    worst = max(
+        abs(np.log2(count * edge / chain.length))
+        for count, chain in zip(along, facets.chains, strict=True)
+    )
+    assert worst < 1
+
+
+def test_what_is_no_polygon_is_left_to_directions():
+    points, triangles = sheet(HIP)
+    mesh = one_surface(points, triangles)
+    assert Facets.of(mesh, np.zeros(len(mesh.edges), dtype=bool), 1.2) is None
+    # A crease that ends inside a face.
+    points, triangles = groined()
+    mesh = one_surface(points, triangles)
+    assert Facets.of(mesh, creased(mesh, 1.6), 1.6) is None
+    # An opening in a face.
+    opened = triangles[np.linalg.norm(points[triangles].mean(axis=1) - [4, 0, 7.5], axis=1) > 1]
+    mesh = one_surface(points, opened)
+    assert Facets.of(mesh, carried_on(mesh, creased(mesh, 1.6), 2.4), 1.6) is None
