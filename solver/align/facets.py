@@ -10,6 +10,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.spatial import cKDTree
 
 from solver.align.features import corners_of
 from solver.align.symmetry import Mirror
@@ -24,9 +25,11 @@ _ON = 0.7
 # What a surface turns by at a crease that fades out.
 _FAINT = np.radians(2.0)
 # As many faces are taken for faces; more are triangles of something that bends.
-_MOST = 24
+MOST = 24
 # Ends are images of each other that are nearer to it than this part of a chain's length.
 _EVENLY = 1e-4
+# Rounds in which sides are halved at vertices that lie on them.
+_HALVES = 12
 # Normals of a plane differ by no more.
 _PLANE = np.radians(0.5)
 
@@ -78,7 +81,7 @@ class Facets:
         first, second = (mesh.edges // 3).T
         label = components(len(mesh.triangles), first[~sharp], second[~sharp])
         count = int(label.max()) + 1
-        if not 1 < count <= _MOST or (sharp & (label[first] == label[second])).any():
+        if not 1 < count <= MOST or (sharp & (label[first] == label[second])).any():
             return None
         bounds = list(_loops(mesh, label, count))
         if any(len(loops) != 1 for loops in bounds):
@@ -115,6 +118,57 @@ class Facets:
             apart = np.linalg.norm(mirror.images(ends[:, 0]) - ends[:, 1], axis=1)
             found |= (apart < near) & (np.abs(mirror.heights(ends[:, 0])) > near)
         return np.flatnonzero(found).tolist()
+
+
+def faces(mesh: TriangleMesh, sharp: BoolArray) -> int:
+    """How many faces creases (E,) part a surface into."""
+    first, second = (mesh.edges // 3).T
+    return int(components(len(mesh.triangles), first[~sharp], second[~sharp]).max()) + 1
+
+
+def zipped(mesh: TriangleMesh, near: float) -> TriangleMesh:
+    """Triangles halved at vertices of others that lie on their sides, so that both meet there.
+
+    Faces that were cut into triangles each on its own have other vertices along a crease.
+
+    Args:
+        mesh: the surface.
+        near: how far off a side they may be.
+    """
+    for _ in range(_HALVES):
+        halved = _halved(mesh, near)
+        if halved is None:
+            break
+        mesh = TriangleMesh(mesh.points, halved)
+    return mesh
+
+
+def _halved(mesh: TriangleMesh, near: float) -> IntArray | None:
+    """Triangles after one vertex was taken in at each side of the border that others lie on."""
+    start, end = mesh.half_edges[mesh.rim].T
+    first, along = mesh.points[start], mesh.points[end] - mesh.points[start]
+    tree = cKDTree(mesh.points[start])
+    lengths = np.linalg.norm(along, axis=1)
+    taken: dict[int, int] = {}
+    for row, others in enumerate(tree.query_ball_point(first + along / 2, lengths / 2 + near)):
+        vertices = start[[k for k in others if start[k] not in (start[row], end[row])]]
+        arms = mesh.points[vertices] - first[row]
+        part = arms @ along[row] / lengths[row] ** 2
+        off = np.linalg.norm(arms - part[:, None] * along[row], axis=1)
+        on = (off < near) & (part * lengths[row] > near) & ((1 - part) * lengths[row] > near)
+        if on.any():
+            taken[row] = int(vertices[on][np.argmin(np.abs(part[on] - 0.5))])
+    if not taken:
+        return None
+    triangles, more, done = mesh.triangles.copy(), [], set()
+    for row, vertex in taken.items():
+        triangle, corner = divmod(int(mesh.rim[row]), 3)
+        if triangle not in done:
+            done.add(triangle)
+            a, b, c = np.roll(mesh.triangles[triangle], -corner).tolist()
+            triangles[triangle] = a, vertex, c
+            more.append((vertex, b, c))
+    return np.concatenate([triangles, np.array(more)])
 
 
 def turning(mesh: TriangleMesh, angle: float) -> BoolArray:

@@ -13,7 +13,7 @@ from itertools import pairwise
 import numpy as np
 from scipy.spatial import cKDTree
 
-from solver.align.facets import Facets, Side, carried_on, turning
+from solver.align.facets import MOST, Facets, Side, carried_on, faces, turning, zipped
 from solver.align.features import Features, creased
 from solver.align.field import GuidingField
 from solver.align.patch_counts import counts_along
@@ -31,6 +31,8 @@ from solver.mesh.quadmesh import FloatArray, QuadMesh
 _EVEN = 0.2
 # Faces that are flat meet at a crease where they turn by more.
 _FOLDED = np.radians(2.0)
+# In edges, how far apart two faces may be that meet.
+_HAIR = 1e-5
 # Degrees between creases and lines of curvature from which on the creases count alone.
 _ACROSS = 20.0
 # In edges, how far beside a crease curvature is looked at.
@@ -50,6 +52,9 @@ def net_on_flat_faces(
         edge: wanted edge length.
         remarks: gets a sentence where there is such a net.
     """
+    if not 1 < faces(surface, turning(surface, _FOLDED)) <= MOST:
+        return None
+    surface = zipped(surface, _HAIR * edge)
     facets = Facets.of(surface, turning(surface, _FOLDED), edge)
     if facets is None or not facets.flat(surface):
         return None

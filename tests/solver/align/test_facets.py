@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from solver.align.align import aligned
-from solver.align.facets import Facets, carried_on, turning
+from solver.align.facets import Facets, carried_on, turning, zipped
 from solver.align.features import creased
 from solver.align.patch_counts import counts_along
 from solver.align.triangle_mesh import one_surface
@@ -163,3 +163,18 @@ def test_what_is_no_polygon_is_left_to_directions():
     opened = triangles[np.linalg.norm(points[triangles].mean(axis=1) - [4, 0, 7.5], axis=1) > 1]
     mesh = one_surface(points, opened)
     assert Facets.of(mesh, carried_on(mesh, creased(mesh, 1.6), 2.4), 1.6) is None
+
+
+def test_faces_that_have_other_vertices_along_their_crease_meet():
+    points, triangles = sheet(GABLE)
+    more = np.array([[5, 5, 3], [9, 5, 3], [15, 5, 3]], dtype=float)
+    # One slope has a vertex more on the ridge than the other.
+    one = [[0, 1, 5], [0, 5, 8], [0, 8, 7], [0, 7, 6], [0, 6, 4]]
+    cut = [*one, [3, 4, 6], [3, 6, 8], [2, 3, 8], [2, 8, 5]]
+    opened = one_surface(np.concatenate([points, more]), np.array(cut))
+    assert len(opened.loops()) == 2
+    closed = zipped(opened, 1e-6)
+    assert len(closed.loops()) == 1
+    assert closed.areas.sum() == pytest.approx(opened.areas.sum())
+    net = aligned(opened.points, opened.triangles, edge=1.2).mesh
+    assert len(net.faces) == len(aligned(points, triangles, edge=1.2).mesh.faces)
