@@ -9,7 +9,7 @@ import pytest
 
 from freecad_ortho import api
 from freecad_ortho.fabrication import build
-from freecad_ortho.fabrication.bolts import SMALL, bolt_in, bolt_of
+from freecad_ortho.fabrication.bolts import BOLTS, SMALL, bolt_in, bolt_of
 from freecad_ortho.fabrication.fasteners import Supply, gathered, hardware_rows
 from freecad_ortho.fabrication.files import write
 from freecad_ortho.fabrication.hardware import bolt_bodies, bolt_frames, bolt_shape
@@ -158,6 +158,20 @@ def test_small_bolts_fill_the_holes_of_lamellas():
     made = build(flat_grid(), [Lamellas(60, 5, position="lying", layers=2, hole=5.0)])
     assert made.fasteners == ()
     assert "from 5.5 mm on" in " ".join(made.report()["messages"])
+
+
+def test_washers_and_nuts_are_those_of_their_standards():
+    """EN ISO 7089: outer diameter, thickness; EN ISO 4032: across flats, largest height."""
+    sizes = {
+        each.name: (each.washer_width, each.washer, each.flats, each.nut)
+        for each in (*SMALL, *BOLTS.values())
+    }
+    assert sizes == {
+        "M5": (10, 1, 8, 4.7), "M6": (12, 1.6, 10, 5.2), "M8": (16, 1.6, 13, 6.8),
+        "M10": (20, 2, 16, 8.4), "M12": (24, 2.5, 18, 10.8), "M16": (30, 3, 24, 14.8),
+        "M20": (37, 3, 30, 18), "M24": (44, 4, 36, 21.5), "M27": (50, 4, 41, 23.8),
+        "M30": (56, 4, 46, 25.6),
+    }  # fmt: skip
 
 
 def test_a_bolt_has_the_volume_of_its_formula():

@@ -17,6 +17,7 @@ from freecad_ortho import api
 from freecad_ortho.fabrication import Beams, FlatPattern, Panels, Workshop, build, write
 from freecad_ortho.fabrication.dxf import DXF_LAYERS
 from freecad_ortho.fabrication.nesting import library, nest
+from freecad_ortho.fabrication.nesting.nest import too_large_words
 from freecad_ortho.fabrication.nesting.skyline import Skyline
 from freecad_ortho.fabrication.part import some_names
 from freecad_ortho.fabrication.pattern import polygon_area
@@ -209,6 +210,12 @@ def test_sheets_on_which_nothing_fits_are_refused_with_all_names(plates, structu
     with pytest.raises(InputError, match="do not fit"):
         write(structure, tmp_path / "never", workshop=Workshop(sheet=(300.0, 100.0)))
     assert not (tmp_path / "never").exists()
+
+
+def test_one_part_does_not_fit_and_two_do_not(plates):
+    shop = Workshop(sheet=(300.0, 100.0))
+    assert "sheet: 1 part does not fit on" in too_large_words(plates[:1], shop)
+    assert "sheet: 2 parts do not fit on" in too_large_words(plates[:2], shop)
 
 
 def test_what_fits_is_nested_and_all_that_does_not_is_listed(structure, tmp_path):

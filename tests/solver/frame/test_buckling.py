@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from solver.frame.buckling import buckling
+from solver.frame.elements import geometric
 from solver.frame.model import Loads
 from solver.frame.response import response
 from tests.solver.frame import frames
@@ -140,3 +141,19 @@ def test_modes_of_a_large_frame_are_those_of_a_dense_one(monkeypatch):
     dense = buckling(system, under, count).factors
     monkeypatch.setattr("solver.frame.buckling._FEW", 0)
     assert buckling(system, under, count).factors == pytest.approx(dense, rel=1e-6)
+
+
+def test_moments_turn_by_half_of_a_rigid_rotation():
+    """Those of beams are semi-tangential: turned by theta they change by half of theta x M."""
+    built = frames.straight(1)
+    length = built.lengths[0]
+    torque, (y1, z1, y2, z2) = 5.0, (7.0, -11.0, 13.0, 17.0)
+    shear = np.array([0.0, (z1 + z2) / length, -(y1 + y2) / length])
+    moments = np.array([[-torque, y1, z1], [torque, y2, z2]])
+    ends = np.concatenate([shear, moments[0], -shear, moments[1]])
+    added = geometric(built, ends[None])[0]
+    assert np.array_equal(added, added.T)
+    for turn in np.eye(3):
+        moved = np.concatenate([np.zeros(3), turn, np.cross(turn, [length, 0, 0]), turn])
+        forces = (added @ moved).reshape(2, 2, 3)
+        np.testing.assert_allclose(forces[:, 1], np.cross(turn, moments) / 2, atol=1e-12)
