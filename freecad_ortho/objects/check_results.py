@@ -19,6 +19,8 @@ QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 _SEEN = OUTPUT | READ_ONLY
 _KEPT = OUTPUT | READ_ONLY | HIDDEN
+# Of the forces of all combinations, kN and kNm: numbers that are short in binary pack well.
+_FORCE_STEP = 2.0**-17
 
 
 def _result(kind: str, name: str, tooltip: str, flags: int = _SEEN) -> Property:
@@ -201,7 +203,7 @@ def store(
         "ForcesAlong": forces_along(found).ravel().tolist(),
         "SectionsUp": convert.vectors(found.model.bare.axes[:, 2] @ turn),
         "Displacements": convert.vectors(moves @ turn),
-        "AllForcesAlong": np.ravel([forces_along(found, one) for one in found.found]).tolist(),
+        "AllForcesAlong": _stepped(np.ravel([forces_along(found, one) for one in found.found])),
         "AllDisplacements": convert.vectors(np.concatenate(everywhere) @ turn),
         "CombinationNames": [one.combination.name for one in found.found],
         "BucklingFactors": [] if modes is None else modes.factors.tolist(),
@@ -210,6 +212,10 @@ def store(
     }
     for name, value in values.items():
         setattr(feature, name, value)
+
+
+def _stepped(forces: FloatArray) -> list[float]:
+    return (np.round(forces / _FORCE_STEP) * _FORCE_STEP).tolist()
 
 
 def _with_middles(shapes: FloatArray, found: StructuralCheck) -> FloatArray:

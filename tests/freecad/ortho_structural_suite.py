@@ -49,7 +49,10 @@ class TestCheck(CheckCase):
         names = [one.combination.name for one in alone.found]
         self.assertEqual(check.CombinationNames, names)
         every = np.array(check.AllForcesAlong).reshape(len(names), -1, 3, 6)
-        np.testing.assert_array_equal(every[names.index(check.DiagramsOf)], along)
+        there = every[names.index(check.DiagramsOf)]
+        np.testing.assert_allclose(there, along, rtol=0, atol=4e-6)
+        # Short in binary: a saved document is about half as large.
+        np.testing.assert_array_equal(np.rint(2**17 * there), 2**17 * there)
         everywhere = convert.array(check.AllDisplacements).reshape(len(names), -1, 3)
         for one, there in zip(alone.found, everywhere, strict=True):
             np.testing.assert_allclose(there, one.response.displacements[:, :3], atol=1e-9)
