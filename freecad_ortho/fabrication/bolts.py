@@ -4,7 +4,8 @@ Sources, lengths in mm:
 
 * heads, widths across flats and corners, lengths: hexagon head screws threaded to the head,
   EN ISO 4017, tables 1 and 2;
-* washers: EN ISO 7089, table 1;
+* washers: EN ISO 7089, table 1; on wood DIN 440, form R, which are as large as EN 1995-1-1,
+  10.4.3 wants them, 3 bolts wide and 0.3 bolts thick, up to M20;
 * nuts: EN ISO 4032, table 1; a thread stands a pitch out of its nut (EN 1090-2, 8.2.2);
 * holes: EN 1090-2, table 11, normal round holes: 1 mm wider than the bolt up to M14, 2 mm up to
   M24, 3 mm from M27 on; below M12 the medium ones of ISO 273;
@@ -19,13 +20,14 @@ Sources, lengths in mm:
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 
 from solver.errors import InputError
 from solver.option import one_of
 
 HEADS = "EN ISO 4017"
 WASHERS = "EN ISO 7089"
+WOOD_WASHERS = "DIN 440 R"
 NUTS = "EN ISO 4032"
 GRADE = "8.8"
 # Lengths that bolts are sold in, mm.
@@ -55,6 +57,7 @@ class Bolt:
         wrench: free distance from the middle of the bolt to anything beside it.
         nut: height.
         pitch: of its thread.
+        washers: standard of its washers.
     """
 
     name: str
@@ -69,6 +72,12 @@ class Bolt:
     wrench: float
     nut: float
     pitch: float
+    washers: str = field(default=WASHERS, kw_only=True)
+
+    @property
+    def washer_grade(self) -> str:
+        """Hardness of its washers, as they are ordered."""
+        return "200 HV" if self.washers == WASHERS else "100 HV"
 
     @property
     def edge(self) -> float:
@@ -143,6 +152,10 @@ BOLTS: Mapping[str, Bolt] = {
 }
 
 
+# Thickness and outer diameter of washers on wood by diameters of bolts, mm (DIN 440, form R).
+_ON_WOOD = {5: (2, 18), 6: (2, 22), 8: (3, 28), 10: (3, 34), 12: (4, 44), 16: (5, 56), 20: (6, 72)}
+
+
 def bolt_of(name: str) -> Bolt:
     """The size of a name.
 
@@ -151,6 +164,14 @@ def bolt_of(name: str) -> Bolt:
     """
     one_of("bolt", name, BOLTS)
     return BOLTS[name]
+
+
+def on_wood(bolt: Bolt) -> Bolt:
+    """The same with the washers that wood needs under heads and nuts; larger than M20 as it is."""
+    if bolt.diameter not in _ON_WOOD:
+        return bolt
+    thick, wide = _ON_WOOD[round(bolt.diameter)]
+    return replace(bolt, washer=thick, washer_width=wide, washers=WOOD_WASHERS)
 
 
 def bolt_in(hole: float) -> Bolt | None:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_ortho.fabrication.bolts import GRADE, HEADS, NUTS, WASHERS, Bolt
+from freecad_ortho.fabrication.bolts import GRADE, HEADS, NUTS, Bolt
 from solver.mesh.quadmesh import FloatArray
 
 COLUMNS = (
@@ -107,12 +107,18 @@ def hardware_rows(fasteners: Iterable[Fasteners], supplies: Iterable[Supply]) ->
     """The list of what is bought: bolts by size, length and grip, washers, nuts, all else."""
     bolts: dict[tuple[object, ...], int] = {}
     loose: dict[tuple[str, str, str], int] = {}
+    grades: dict[tuple[str, str, str], str] = {}
     for each in fasteners:
         key = (each.bolt.name, each.length, round(each.grip, 3), each.holds)
         bolts[key] = bolts.get(key, 0) + each.count
-        for item, standard, of_each in (("washer", WASHERS, each.washers), ("nut", NUTS, each.nut)):
+        for item, standard, of_each in (
+            ("washer", each.bolt.washers, each.washers),
+            ("nut", NUTS, each.nut),
+        ):
             if of_each and each.count:
                 kind = item, each.bolt.name, standard
+                nut = GRADE[: GRADE.index(".")]
+                grades[kind] = nut if item == "nut" else each.bolt.washer_grade
                 loose[kind] = loose.get(kind, 0) + int(of_each) * each.count
     rows: list[list[object]] = [
         ["bolt", size, f"{length:g}", f"{grip:g}", HEADS, GRADE, count, "piece", holds]
@@ -120,7 +126,7 @@ def hardware_rows(fasteners: Iterable[Fasteners], supplies: Iterable[Supply]) ->
         if count
     ]
     for (item, size, standard), count in sorted(loose.items(), reverse=True):
-        grade = GRADE[: GRADE.index(".")] if item == "nut" else "200 HV"
+        grade = grades[item, size, standard]
         rows.append([item, size, "", "", standard, grade, count, "piece", ""])
     rows += [
         [each.item, each.size, "", "", each.standard, each.grade, *_amount(each), each.joins]

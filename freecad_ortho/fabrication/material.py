@@ -33,6 +33,10 @@ _ON_GLASS, _ON_METAL, _ON_WOOD = 10.0, 5.0, 10.0
 _IN_ALUMINIUM, _IN_TIMBER = 0.5, 1.5
 # Yield strengths of structural steels up to 40 mm, MPa: EN 1993-1-1, table 3.1.
 _GRADES = {"S235": 235.0, "S275": 275.0, "S355": 355.0}
+# Density of water, kg/m3.
+_WATER = 1000.0
+# Lighter than this no material is a metal, kg/m3.
+_LIGHTEST_METAL = 2000.0
 # Insulating units may be named by their panes and cavities alone, in mm (EN 1279).
 _UNIT = "insulating-glass"
 _UNIT_NAME = re.compile(rf"{_UNIT}((?:-\d{{1,3}}(?:\.\d{{1,2}})?)+)")
@@ -108,6 +112,12 @@ class Material:
     def least_radius(self, thickness: float) -> float:
         """Radius at which a plate reaches the bending limit, mm."""
         return self.youngs_modulus * self._bent(thickness) / (2 * self.bending_limit)
+
+    @property
+    def wood(self) -> bool:
+        """Whether it is one of wood: with fibres, and lighter than water."""
+        fibres = self.own_shear_modulus is not None and not self.layers
+        return fibres and self.density < _WATER
 
     @property
     def shear_modulus(self) -> float:
@@ -221,6 +231,15 @@ MATERIALS = {
         insulating_unit(4, 12, 4, 12, 4),
     )
 }
+
+
+def metal_for(material: Material) -> Material:
+    """What is welded, folded or bolted on to join parts of a material.
+
+    It is that itself where it is a metal, and steel for wood, glass and other light ones.
+    """
+    metal = material.density > _LIGHTEST_METAL and not material.layers
+    return material if metal and material.plate_limits is None else MATERIALS["steel"]
 
 
 def material(name: str = "steel", density: float | None = None) -> Material:

@@ -8,6 +8,7 @@ import pytest
 from freecad_ortho.fabrication import Beams, Panels, build, write
 from freecad_ortho.fabrication.bolts import bolt_of
 from freecad_ortho.fabrication.clash import check_clashes
+from freecad_ortho.fabrication.material import material
 from freecad_ortho.fabrication.systems import EdgeBeam, Feet, Nodes, systems_of
 from solver.errors import InputError
 from solver.mesh.quadmesh import QuadMesh
@@ -53,6 +54,22 @@ def test_they_are_whole_parts_clear_of_what_they_carry(sheet, systems, places):
         if part.pattern is not None:
             assert part.volume == pytest.approx(part.area * part.thickness)
     assert check_clashes(structure.parts).clashes == ()
+
+
+@pytest.mark.parametrize(
+    "name, own",
+    [("C24", "steel"), ("gfrp", "steel"), ("toughened-glass", "steel"), ("stainless", "stainless")],
+)
+def test_feet_and_bolted_nodes_are_of_metal(sheet, name, own):
+    """What is welded is of steel where the structure is of wood, gfrp or glass."""
+    joined = [Beams(200, 12, ends="end-plate"), Nodes("bolted"), Feet()]
+    structure = build(sheet, joined, material=material(name))
+    kinds = {part.kind: part.material.name for part in structure.parts}
+    assert kinds["beam"] == name
+    assert kinds.keys() - {"beam"} == {"node", "end-plate", "foot", "foot-plate"}
+    assert {kinds[kind] for kind in kinds.keys() - {"beam"}} == {own}
+    hubs = build(sheet, [Beams(200, 12, ends="hub"), Nodes()], material=material(name))
+    assert {part.material.name for part in hubs.parts} == {name}
 
 
 def test_base_plates_are_level_below_their_vertices(sheet):

@@ -9,10 +9,11 @@ import pytest
 
 from freecad_ortho import api
 from freecad_ortho.fabrication import build
-from freecad_ortho.fabrication.bolts import BOLTS, SMALL, bolt_in, bolt_of
+from freecad_ortho.fabrication.bolts import BOLTS, SMALL, WASHERS, bolt_in, bolt_of, on_wood
 from freecad_ortho.fabrication.fasteners import Supply, gathered, hardware_rows
 from freecad_ortho.fabrication.files import write
 from freecad_ortho.fabrication.hardware import bolt_bodies, bolt_frames, bolt_shape
+from freecad_ortho.fabrication.material import material
 from freecad_ortho.fabrication.site import Selection
 from freecad_ortho.fabrication.step import read_step
 from freecad_ortho.fabrication.systems import Lamellas
@@ -35,6 +36,34 @@ def bolted(dodecahedron):
         "crossings of lamellas": build(flat_grid(), [lying]),
         "splices of lamellas": build(helicoid().scaled(3000.0), [Lamellas(40, 3, stock=2500.0)]),
     }
+
+
+@pytest.mark.parametrize("name", ["C24", "plywood"])
+def test_washers_on_wood_are_as_large_as_it_needs(name):
+    """EN 1995-1-1, 10.4.3: three bolts wide and 0.3 bolts thick, under head and nut."""
+    lying = Lamellas(60, 5, position="lying", layers=2, hole=11, clearance=1)
+    [each] = build(flat_grid(), [lying], material=material(name)).fasteners
+    [steel] = build(flat_grid(), [lying]).fasteners
+    assert each.bolt.washer_width >= 3 * each.bolt.diameter
+    assert each.bolt.washer >= 0.3 * each.bolt.diameter
+    assert each.grip == pytest.approx(11 + 2 * each.bolt.washer)
+    assert each.length >= each.grip + each.bolt.nut + each.bolt.pitch
+    # Heads stand as much higher as washers are thicker.
+    up = np.einsum("nk,nk->n", steel.places - each.places, each.directions)
+    assert np.allclose(up, each.bolt.washer - steel.bolt.washer)
+    [washers] = [row for row in hardware_rows([each], ()) if row[0] == "washer"]
+    assert washers[1:] == ["M10", "", "", "DIN 440 R", "100 HV", 2 * each.count, "piece", ""]
+    [own] = [row for row in hardware_rows([steel], ()) if row[0] == "washer"]
+    assert own[4:6] == [WASHERS, "200 HV"]
+
+
+def test_sizes_of_washers_on_wood_follow_the_rule():
+    for bolt in (*SMALL, *BOLTS.values()):
+        if bolt.diameter <= 20:
+            assert on_wood(bolt).washer_width >= 3 * bolt.diameter
+            assert on_wood(bolt).washer >= 0.3 * bolt.diameter
+        else:
+            assert on_wood(bolt) == bolt
 
 
 def drills_of(part):

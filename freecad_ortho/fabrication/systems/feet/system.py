@@ -9,6 +9,7 @@ from typing import Any, ClassVar
 from freecad_ortho.fabrication.bolts import BOLTS, GRADE, NUTS, WASHERS, bolt_of
 from freecad_ortho.fabrication.cleat import Cleat, OnCleats
 from freecad_ortho.fabrication.fasteners import Supply
+from freecad_ortho.fabrication.material import metal_for
 from freecad_ortho.fabrication.part import Part, part_names
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import check_options, check_size, offset_levels, size
@@ -117,6 +118,7 @@ class Feet(System):
         Raises:
             InputError: no such vertices, axes that lie flat there, or a height without room.
         """
+        site = replace(site, material=metal_for(site.material))
         sizes, cleats = self.sizes, {}
         numbers = standing(site, self.places)
         lamellas = site.geometry_of("lamellas", OnCleats)
@@ -174,7 +176,7 @@ def _cleats_at(lamellas: OnCleats, vertices: Sequence[int]) -> dict[int, Cleat]:
         if vertex not in lamellas.cleats or vertex not in lamellas.around:
             raise InputError(
                 f"foot at: at vertex {vertex} no two lamellas cross with room for a cleat, which "
-                "the foot shares its bolts with; name other vertices, take smaller holes, or "
-                "strip twisted"
+                "the foot shares its bolts with; name other vertices, take smaller holes, longer "
+                "stock, or strip twisted"
             )
     return {vertex: lamellas.cleats[vertex] for vertex in vertices}

@@ -8,13 +8,12 @@ from typing import Any
 
 import numpy as np
 
-from freecad_ortho.fabrication.bolts import bolt_in
 from freecad_ortho.fabrication.cleat import Cleat
 from freecad_ortho.fabrication.fasteners import Fasteners, gathered
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.lamellas.axis import Lamella
-from freecad_ortho.fabrication.systems.lamellas.bolted import splice_bolts
+from freecad_ortho.fabrication.systems.lamellas.bolted import layer_bolt, splice_bolts
 from freecad_ortho.fabrication.systems.lamellas.cleat_parts import cleat_bolts, cleat_part
 from freecad_ortho.fabrication.systems.lamellas.crossings import Crossing, at_vertices
 from freecad_ortho.fabrication.systems.lamellas.parts import cut, lamella_part
@@ -101,7 +100,7 @@ def build_above(
     cuts = [cut(each, here, settings) for each, here in zip(pieces, met, strict=True)]
     lamellas = tuple(lamella_part(made, site, settings.position) for made in cuts)
     plates = tuple(splice_part(splice, site, settings) for splice in splices)
-    bolts = splice_bolts(splices, plates, settings)
+    bolts = splice_bolts(site, splices, plates, settings)
     if standing:
         bolts += cleat_bolts(ties, site, (), ())
     else:
@@ -157,7 +156,7 @@ def _triple_bolts(
 ) -> tuple[Fasteners, ...]:
     """Bolts through three lying layers, through two where one is left out, their heads above."""
     settings = layer.settings
-    bolt = bolt_in(settings.hole)
+    bolt = layer_bolt(settings.hole, site.material)
     if bolt is None:
         return ()
     below = at_vertices(grid)

@@ -7,9 +7,10 @@ from collections.abc import Collection, Sequence
 
 import numpy as np
 
-from freecad_ortho.fabrication.bolts import Bolt, bolt_in
+from freecad_ortho.fabrication.bolts import Bolt, bolt_in, on_wood
 from freecad_ortho.fabrication.drilled import DrilledBody
 from freecad_ortho.fabrication.fasteners import Fasteners, gathered
+from freecad_ortho.fabrication.material import Material
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.lamellas.axis import Lamella
@@ -24,17 +25,24 @@ _STEP = 0.5
 _Placed = tuple[FloatArray, FloatArray, tuple[str, ...]]
 
 
+def layer_bolt(hole: float, material: Material) -> Bolt | None:
+    """What plates of a material are bolted with through holes of a diameter, mm; None for none."""
+    bolt = bolt_in(hole)
+    return on_wood(bolt) if bolt is not None and material.wood else bolt
+
+
 def splice_bolts(
-    splices: Sequence[Splice], plates: Sequence[Part], settings: LamellaSettings
+    site: Site, splices: Sequence[Splice], plates: Sequence[Part], settings: LamellaSettings
 ) -> tuple[Fasteners, ...]:
     """Bolts through splice plates and the ends that they join, their heads on the plates.
 
     Args:
+        site: what they are of.
         splices: the joints.
         plates: their parts.
         settings: of the lamellas.
     """
-    bolt = bolt_in(settings.hole)
+    bolt = layer_bolt(settings.hole, site.material)
     if bolt is None:
         return ()
     by_gap: dict[float, list[_Placed]] = {}
@@ -65,7 +73,7 @@ def crossing_bolts(
 
     Where vertices are ``taken``, bolts of a third layer pass through all.
     """
-    bolt = bolt_in(settings.hole)
+    bolt = layer_bolt(settings.hole, site.material)
     by_name = {lamella.name: lamella for lamella in lamellas}
     placed: list[_Placed] = []
     for lamella, row in zip(lamellas, met, strict=True):

@@ -8,22 +8,15 @@ import numpy as np
 
 from freecad_ortho.fabrication.cleat import Cleat
 from freecad_ortho.fabrication.fasteners import Fasteners, gathered
-from freecad_ortho.fabrication.material import MATERIALS, Material
+from freecad_ortho.fabrication.material import metal_for
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.pattern import Bend, FlatPattern, Hole, Mark, fitted_text_size
 from freecad_ortho.fabrication.site import Site
 from solver.mesh.quadmesh import FloatArray
 
-# Lighter than this a material is none that angles are folded from, kg/m3.
-_LIGHT = 2000.0
 # Bolts whose grips differ by less, mm, are of one.
 _STEP = 0.5
 _Placed = tuple[FloatArray, FloatArray, tuple[str, ...]]
-
-
-def angle_material(material: Material) -> Material:
-    """What cleats are folded from: the lamellas' own metal, steel for those of wood."""
-    return material if material.density > _LIGHT and not material.layers else MATERIALS["steel"]
 
 
 def cleat_part(cleat: Cleat, site: Site) -> Part:
@@ -47,7 +40,7 @@ def cleat_part(cleat: Cleat, site: Site) -> Part:
         thickness=sizes.thickness,
         area=pattern.area,
         volume=body.volume,
-        material=angle_material(site.material),
+        material=metal_for(site.material),
         vertices=(cleat.vertex,),
     )
 

@@ -119,7 +119,7 @@ class Lamellas(LamellaSettings, System):
         parts = tuple(lamella_part(made, site, self.position) for made in cuts)
         parts, doubts = judged(parts, slot_ways(lamellas, met, self, site.material))
         plates = tuple(splice_part(splice, site, self) for splice in splices)
-        bolts = splice_bolts(splices, plates, self)
+        bolts = splice_bolts(site, splices, plates, self)
         bolts += crossing_bolts(site, lamellas, met, self, above.bolted)
         bolts += cleat_bolts(cleats.values(), site, on_feet, part_names("FT", count)) + above.bolts
         parts += plates + tuple(cleat_part(cleat, site) for cleat in cleats.values()) + above.parts

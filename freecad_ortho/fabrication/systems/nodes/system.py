@@ -9,6 +9,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from freecad_ortho.fabrication.bodies import Body
+from freecad_ortho.fabrication.material import metal_for
 from freecad_ortho.fabrication.part import Measures, Part, part_names
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import check_options, check_size, offset_levels, size
@@ -225,6 +226,8 @@ class Nodes(System):
         )
 
     def _build(self, site: Site, beams: Beams | None) -> SystemParts:
+        if self.kind in BOLTED_KINDS:
+            site = replace(site, material=metal_for(site.material))
         frames = beam_frames(site.mesh, site.axes)
         geometry = site.geometry_of("beams", BeamGeometry)
         built = site.chosen_edges.copy()
