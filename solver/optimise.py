@@ -36,6 +36,9 @@ if TYPE_CHECKING:
     # Of the standard library from Python 3.11 on.
     from typing_extensions import Unpack
 
+# In mean edges, how far off a surface is on it.
+_ON = 1e-6
+
 
 class Settings(TypedDict, total=False):
     """What :func:`start_optimisation` can be told, by its name."""
@@ -234,7 +237,8 @@ def start_optimisation(
         multi_patch,
     )
     _refuse_contradictions(plan.original)
-    stay = not once and not wanted.handles and wanted.close_to is None
+    near = wanted.close_to is None or (surface is not None and _lies_on(mesh, surface))
+    stay = not once and not wanted.handles and near
     late = asked.nearest or wanted.close_to is not None
     return Optimisation(
         plan.original,
@@ -302,6 +306,14 @@ def _surface(asked: Net, mesh: QuadMesh, wanted: Constraints) -> TriangleSurface
             f"{size:.4g} large; move one to the other, and mind the unit of both"
         )
     return surface
+
+
+def _lies_on(mesh: QuadMesh, surface: TriangleSurface) -> bool:
+    """Whether a mesh lies on a surface with its faces, as on roofs of flat ones."""
+    corners = mesh.vertices[mesh.connectivity.triangles]
+    places = np.concatenate([mesh.vertices[mesh.connectivity.referenced], corners.mean(axis=1)])
+    feet = surface.closest(places)[0]
+    return bool(np.linalg.norm(feet - places, axis=1).max() < _ON * mesh.mean_edge)
 
 
 def _carried(

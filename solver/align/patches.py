@@ -63,8 +63,8 @@ def net_on_flat_faces(
         remarks.append(
             f"the surface is made of {len(facets.sides)} flat faces: lines run along all creases "
             "between them and along the border, where the net ends. Its panels are flat as they "
-            "are; where creases are askew to each other their corners are not right, and an exact "
-            "principal net leaves the roof"
+            "are, and a planar net keeps them so; where creases are askew to each other, corners "
+            "are not right, and an exact principal net leaves the roof"
         )
     return net
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from solver import Constraints, optimise
 from solver.align.align import aligned
 from solver.align.facets import Facets, carried_on, turning, zipped
 from solver.align.features import creased
@@ -178,3 +179,20 @@ def test_faces_that_have_other_vertices_along_their_crease_meet():
     assert closed.areas.sum() == pytest.approx(opened.areas.sum())
     net = aligned(opened.points, opened.triangles, edge=1.2).mesh
     assert len(net.faces) == len(aligned(points, triangles, edge=1.2).mesh.faces)
+
+
+@pytest.mark.parametrize(("roof", "net"), [(HIP, "planar"), (GABLE, "principal")])
+def test_an_exact_net_on_flat_faces_stays_as_it_is(roof, net):
+    points, triangles = sheet(roof)
+    start = aligned(points, triangles, edge=2.5).mesh
+    outcome = optimise(start, net, constraints=Constraints(close_to=(points, triangles)))
+    assert outcome.report.status == "converged"
+    assert np.array_equal(outcome.mesh.vertices, start.vertices)
+
+
+def test_an_exact_net_beside_its_surface_is_brought_to_it():
+    points, triangles = sheet(GABLE)
+    start = aligned(points, triangles, edge=2.5).mesh
+    above = start.with_vertices(start.vertices + [0, 0, 0.1])
+    outcome = optimise(above, "planar", constraints=Constraints(close_to=(points, triangles)))
+    assert outcome.report.form.off_surface.max < 0.05
