@@ -7,14 +7,14 @@ import numbers
 import FreeCAD
 from PySide import QtCore, QtGui
 
-from freecad_ortho.panels.quantity import QuantityField
+from freecad_ortho.panels.quantity import QuantityBox
 from solver.errors import InputError
 from solver.sentence import Measured, Sentence
 
 NARROW = 100
 # The most that one line of a task panel holds, in the width that FreeCAD gives it at first, beside
 # a scroll bar and inside the frame of a group.
-_BROAD = 180
+BROAD = 180
 # Of an editable list of words, what its arrow and frame take.
 _ARROW = 45
 # Letters of a name in a title.
@@ -36,7 +36,7 @@ def leave_room(box: QtGui.QComboBox) -> None:
         # Its own hint is that of a line of text.
         words = (box.itemText(k) for k in range(box.count()))
         wide = max(box.fontMetrics().boundingRect(word).width() for word in words) + _ARROW
-    box.setMinimumWidth(min(max(wide, NARROW), _BROAD))
+    box.setMinimumWidth(min(max(wide, NARROW), BROAD))
 
 
 class _Elided(QtGui.QLabel):
@@ -53,7 +53,7 @@ class _Elided(QtGui.QLabel):
     def sizeHint(self) -> QtCore.QSize:
         """As wide as the text, as far as the task panel allows; Qt asks for it."""
         hint = super().sizeHint()
-        return QtCore.QSize(min(hint.width(), _BROAD), hint.height())
+        return QtCore.QSize(min(hint.width(), BROAD), hint.height())
 
     def paintEvent(self, event: object) -> None:
         """Draw as much of the text as there is room for; Qt calls this."""
@@ -88,19 +88,17 @@ class LengthField:
 
     def __init__(self, millimetres: float, signed: bool = False, absent: str = "") -> None:
         least = None if signed else 0.0
-        self._quantity = QuantityField("mm", millimetres, minimum=least, absent=absent)
-        self.widget = self._quantity.widget
-        # Its own hint leaves room for the largest number there is, wider than the task panel.
+        self.widget = QuantityBox("mm", millimetres, minimum=least, absent=absent)
         self.widget.setMinimumWidth(NARROW)
 
     @property
     def millimetres(self) -> float:
         """The length in mm."""
-        return self._quantity.value
+        return self.widget.exact
 
     @millimetres.setter
     def millimetres(self, value: float) -> None:
-        self._quantity.value = value
+        self.widget.exact = value
 
 
 class ChoiceField:

@@ -8,8 +8,15 @@ from typing import Any
 import FreeCAD
 from PySide import QtGui
 
-from freecad_ortho.panels.fields import NARROW, ChoiceField, NumberField, leave_room, sentence
-from freecad_ortho.panels.quantity import QuantityField
+from freecad_ortho.panels.fields import (
+    BROAD,
+    NARROW,
+    ChoiceField,
+    NumberField,
+    leave_room,
+    sentence,
+)
+from freecad_ortho.panels.quantity import QuantityBox
 from solver.option import Option, Range
 
 translate = FreeCAD.Qt.translate
@@ -103,7 +110,7 @@ class OptionField:
         if len(widgets) == 1:
             return widgets[0]
         if self.option.kind in _UNITS:
-            QuantityField.joined(self._parts)
+            QuantityBox.joined(self._parts)
         group = QtGui.QWidget()
         # What has a unit needs the room: one below the other. Of plain numbers three go abreast.
         abreast = 1 if self.option.kind in _UNITS else len(widgets) if len(widgets) < 4 else 2
@@ -152,7 +159,7 @@ class OptionField:
         widget.setMinimumWidth(_LEGIBLE if words else NARROW // 2)
         return widget
 
-    def _quantity(self) -> QuantityField:
+    def _quantity(self) -> QuantityBox:
         """A number with a unit; in place of 0 stands what an absent one is."""
         option = self.option
         allowed = option.range
@@ -160,19 +167,19 @@ class OptionField:
         least = min(allowed.least, 0.0) if option.default is None else allowed.least
         absent = option.absent or ("automatic" if option.default is None else "")
         words = translate("Ortho", absent) if absent else ""
-        quantity = QuantityField(
+        quantity = QuantityBox(
             _UNITS[option.kind],
             minimum=max(least, -_MOST),
             maximum=min(allowed.most, _MOST),
             absent=words,
         )
-        quantity.widget.setMinimumWidth(_LEGIBLE)
+        quantity.setMinimumWidth(max(_LEGIBLE, min(quantity.sizeHint().width(), BROAD)))
         return quantity
 
     def _read(self, part: Any) -> Any:
         kind = self.option.kind
         if kind in _UNITS:
-            return part.value
+            return part.exact
         if kind in (*_PLAIN, "count"):
             return part.value()
         if kind == "weight":
@@ -186,7 +193,7 @@ class OptionField:
     def _write(self, part: Any, value: Any) -> None:
         kind = self.option.kind
         if kind in _UNITS:
-            part.value = float(value or 0.0)
+            part.exact = float(value or 0.0)
         elif kind == "weight":
             part.widget.setText("" if value is None else f"{value:g}")
         elif kind in _PLAIN:

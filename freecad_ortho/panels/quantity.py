@@ -4,107 +4,33 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Any
 
-import FreeCADGui
+import FreeCAD
 from PySide import QtCore, QtGui
 
 # A number with no more than these was chosen by someone; others come out of a calculation.
 _DIGITS = 6
 # What is less is a rest of a calculation: FreeCAD would show it as so many nanometres.
 _NOTHING = 1e-6
-# So many fields are made until one is not taken for another.
-_TRIES = 20
+# Qt rounds to so many places behind the point, which leaves each number what it is.
+_PLACES = 30
+_MOST = 1e12
+# Pixels, of a field and of what stands beside its text.
+_WIDE, _ARROWS = 100, 40
+_KINDS = {
+    "mm": FreeCAD.Units.Length,
+    "mm^2": FreeCAD.Units.Area,
+    "deg": FreeCAD.Units.Angle,
+}
 
 
-def _line(box: QtGui.QWidget) -> QtGui.QLineEdit | None:
-    """The part of a field that shows its text.
+class QuantityBox(QtGui.QDoubleSpinBox):
+    """A number in the user's unit system, or in any unit that is typed behind it.
 
-    None where PySide takes it for something that was deleted before it and lay in the same place.
-    It is asked for anew each time: PySide forgets a child with the widgets around it.
-    """
-    return box.findChild(QtGui.QLineEdit)
-
-
-class Absent(QtCore.QObject):
-    """Shows words in the place of a zero that stands for something else.
-
-    FreeCAD's own field for quantities knows no text for a special value.
-    """
-
-    def __init__(self, box: QtGui.QWidget, words: str, unit: str) -> None:
-        super().__init__(box)
-        self._box, self._unit = box, unit
-        # Those that are zero together where they stand for something else.
-        self.fellows = [self]
-        line = _line(box)
-        line.setPlaceholderText(words)
-        # The field writes its number anew when it loses the focus or is shown: look after that.
-        self._later = QtCore.QTimer(self)
-        self._later.setSingleShot(True)
-        self._later.timeout.connect(self.show)
-        box.installEventFilter(self)
-        line.installEventFilter(self)
-
-    def eventFilter(self, watched: QtCore.QObject, event: QtCore.QEvent) -> bool:
-        """Look at the number again; Qt calls this."""
-        if event.type() in (QtCore.QEvent.FocusOut, QtCore.QEvent.Show):
-            self._later.start(0)
-        return False
-
-    def show(self) -> None:
-        """Make room for the words where the number is zero, and so are those of its fellows."""
-        absent = all(each.is_zero for each in self.fellows)
-        for each in self.fellows:
-            each.write(absent)
-
-    @property
-    def is_zero(self) -> bool:
-        """Whether the number is zero."""
-        return bool(self._box.property("rawValue") == 0.0)
-
-    def write(self, absent: bool) -> None:
-        """Clear the field for its words, or write the zero that they stood for."""
-        line = _line(self._box)
-        if line is None or self._box.hasFocus() or line.hasFocus() or not self.is_zero:
-            return
-        if absent:
-            line.clear()
-        elif not line.text():
-            line.setText(f"0 {self._unit}")
-
-
-def _box() -> Any:
-    """A new field of FreeCAD's own.
-
-    Where it or its text comes to lie in the place of what was deleted PySide now and then takes it
-    for that. Another is made then, which lies elsewhere as the first still has its place.
-
-    Raises:
-        RuntimeError: PySide takes each of them for deleted.
-    """
-    mistaken = []
-    for _ in range(_TRIES):
-        widget = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
-        if _alive(widget):
-            return widget
-        mistaken.append(widget)
-    raise RuntimeError(f"no field for a quantity in {_TRIES} tries")
-
-
-def _alive(widget: QtGui.QWidget) -> bool:
-    """Tell whether PySide knows a new field and its text for what they are."""
-    try:
-        return _line(widget) is not None
-    except RuntimeError:
-        return False
-
-
-class QuantityField(QtCore.QObject):
-    """FreeCAD's own field in the user's unit system, which by itself takes what it shows for true.
-
-    In US building units it makes 1/2", 12.7 mm, of 12 mm, and again whenever it comes into sight.
-    A round number that the user's units cannot show is shown in the field's own unit instead.
+    FreeCAD's own field takes what it shows for true: in US building units it makes 1/2", 12.7 mm,
+    of 12 mm. And as it comes out of FreeCAD, PySide is not told when it is deleted, and takes what
+    lies in its place later for it, up to a crash. Here a round number that the user's units cannot
+    show is shown in the field's own unit.
 
     Args:
         unit: ``mm``, ``mm^2`` or ``deg``: that of the value.
@@ -112,9 +38,6 @@ class QuantityField(QtCore.QObject):
         minimum: the least that can be entered.
         maximum: the most.
         absent: shown in place of 0, where that stands for something else.
-
-    Attributes:
-        widget: to be put into a form.
     """
 
     def __init__(
@@ -125,69 +48,135 @@ class QuantityField(QtCore.QObject):
         maximum: float | None = None,
         absent: str = "",
     ) -> None:
-        self.widget = _box()
-        super().__init__(self.widget)
-        self._unit = unit
-        self.widget.setProperty("unit", unit)
-        for name, limit in (("minimum", minimum), ("maximum", maximum)):
-            if limit is not None:
-                self.widget.setProperty(name, limit)
-        self._absent = Absent(self.widget, absent, unit) if absent else None
-        self.value = value
-        self._afterwards = QtCore.QTimer(self)
-        self._afterwards.setSingleShot(True)
-        self._afterwards.timeout.connect(self._write_again)
-        self.widget.installEventFilter(self)
+        super().__init__()
+        self._unit, self._absent = unit, absent
+        # Those that are zero together where they stand for something else.
+        self._fellows = [self]
+        self._held, self._factor = 0.0, 1.0
+        self._size: QtCore.QSize | None = None
+        # Qt moves the cursor after the focus has come.
+        self._chosen = QtCore.QTimer(self)
+        self._chosen.setSingleShot(True)
+        self._chosen.timeout.connect(self.selectAll)
+        self.setFocusPolicy(QtCore.Qt.StrongFocus)
+        self.setDecimals(_PLACES)
+        self.setRange(-_MOST if minimum is None else minimum, _MOST if maximum is None else maximum)
+        self.editingFinished.connect(self._show_fellows)
+        self.exact = value
 
     @staticmethod
-    def joined(fields: Sequence[QuantityField]) -> None:
+    def joined(boxes: Sequence[QuantityBox]) -> None:
         """Show the words for an absent number only where all of several fields are zero."""
-        fellows = [field._absent for field in fields if field._absent is not None]
-        for one in fellows:
-            one.fellows = fellows
-        if fellows:
-            fellows[0].show()
+        for box in boxes:
+            box._fellows = list(boxes)
+        boxes[0]._show_fellows()
 
     @property
-    def value(self) -> float:
-        """The value, in the unit of the field."""
-        shown = self.widget.text() in self._texts
-        return self._value if shown else float(self.widget.property("rawValue"))
+    def exact(self) -> float:
+        """The value, in the unit of the field; Qt's own ends at the limits."""
+        shown = self.value()
+        return self._held if shown == self._bounded(self._held) else shown
 
-    @value.setter
-    def value(self, value: float) -> None:
-        self.widget.setProperty("rawValue", float(value) if abs(value) >= _NOTHING else 0.0)
-        rounded = self.widget.text()
-        exact = f"{value:.{_DIGITS}g}"
-        held = self.widget.property("rawValue")
-        kept = math.isclose(held, value, rel_tol=1e-9, abs_tol=_NOTHING)
-        # A millimetre is 0 in US building units, though the field holds it.
-        seen = abs(value) < _NOTHING or any(figure in rounded for figure in "123456789")
-        if float(exact) == value and not (kept and seen):
-            self._write(f"{exact} {self._unit}")
-        self._show_absent()
-        self._value = float(value)
-        self._texts = {rounded, self.widget.text()}
+    @exact.setter
+    def exact(self, value: float) -> None:
+        self._held = float(value)
+        self.setValue(self._held)
+        self._show_fellows()
 
-    def eventFilter(self, watched: Any, event: Any) -> bool:
-        """Write again what FreeCAD rounds when the field comes into sight; Qt calls this."""
-        if event.type() == QtCore.QEvent.Show:
-            self._value, self._seen = self.value, self.widget.text()
-            self._texts.add(self._seen)
-            self._afterwards.start(0)
-        return False
+    def textFromValue(self, value: float) -> str:
+        """Write a value; Qt asks for it."""
+        if self._absent and all(box._held == 0.0 for box in self._fellows):
+            return self._absent
+        words, factor = self._words(self._held if value == self._bounded(self._held) else value)
+        # A number that is typed without a unit is meant in that of the number before it.
+        self._factor = factor
+        return words
 
-    def _write_again(self) -> None:
-        self._texts = {self.widget.text(), self._seen}
-        self._write(self._seen)
-        self._show_absent()
+    def valueFromText(self, text: str) -> float:
+        """Read what was typed, where it is not what is shown; Qt asks for it."""
+        if not self._is_shown(text):
+            self._held = self._parsed(text) or 0.0
+        return self._bounded(self._held)
 
-    def _show_absent(self) -> None:
-        if self._absent is not None:
-            self._absent.show()
+    def validate(self, text: str, place: int) -> tuple[QtGui.QValidator.State, str, int]:
+        """Tell whether a text is a quantity within the limits; Qt asks for it."""
+        value = self._held if self._is_shown(text) else self._parsed(text)
+        sound = value is not None and (self._is_shown(text) or value == self._bounded(value))
+        state = QtGui.QValidator.Acceptable if sound else QtGui.QValidator.Intermediate
+        return state, text, place
 
-    def _write(self, text: str) -> None:
-        line = _line(self.widget)
-        # Without it FreeCAD's rounded text stays, which stands for the exact value as well.
-        if line is not None:
-            line.setText(text)
+    def stepBy(self, steps: int) -> None:
+        """Go on by so many of the unit that is shown; Qt asks for it."""
+        self.exact = self._bounded(self.exact + steps * self._factor)
+        self.selectAll()
+
+    def sizeHint(self) -> QtCore.QSize:
+        """Room for a common length and for words; Qt would leave it for the largest number."""
+        if self._size is None:
+            words = self.fontMetrics().boundingRect(self._absent).width() + _ARROWS
+            self._size = QtCore.QSize(max(_WIDE, words), super().sizeHint().height())
+        return self._size
+
+    def minimumSizeHint(self) -> QtCore.QSize:
+        """Less where words need more; Qt asks for it."""
+        return QtCore.QSize(_WIDE, self.sizeHint().height())
+
+    def focusInEvent(self, event: QtGui.QFocusEvent) -> None:
+        """Choose the words for an absent number, so that typing takes their place."""
+        super().focusInEvent(event)
+        if self._absent and self.text() == self._absent:
+            self._chosen.start(0)
+
+    def wheelEvent(self, event: QtGui.QWheelEvent) -> None:
+        """Leave the wheel to the panel unless the field was clicked on."""
+        if self.hasFocus():
+            super().wheelEvent(event)
+        else:
+            event.ignore()
+
+    def _show_fellows(self) -> None:
+        for box in self._fellows:
+            box._held = box.exact
+        for box in self._fellows:
+            box.setValue(box._held)
+
+    def _bounded(self, value: float) -> float:
+        return min(max(value, self.minimum()), self.maximum())
+
+    def _is_shown(self, text: str) -> bool:
+        return text in (self._words(self._held)[0], *([self._absent] if self._held == 0.0 else []))
+
+    def _words(self, value: float) -> tuple[str, float]:
+        """A value in words, and how much of the field's own unit is one of the unit in them."""
+        shown = 0.0 if abs(value) < _NOTHING else value
+        words, factor, _ = FreeCAD.Units.Quantity(shown, _KINDS[self._unit]).getUserPreferred()
+        exact = f"{shown:.{_DIGITS}g}"
+        if float(exact) != shown:
+            return words, factor
+        # FreeCAD reads some of what it writes as something else, or shows a millimetre as 0.
+        read = _quantity(words, self._unit, factor)
+        if read is not None and math.isclose(read, shown, rel_tol=1e-9, abs_tol=_NOTHING):
+            return words, factor
+        return f"{exact} {self._unit}", 1.0
+
+    def _parsed(self, text: str) -> float | None:
+        return _quantity(text, self._unit, self._factor)
+
+
+def _quantity(text: str, unit: str, factor: float) -> float | None:
+    """A text as a number of some unit, None where it is none; a bare one is in that of a factor."""
+    try:
+        value = float(text.strip().replace(",", ".")) * factor
+    except ValueError:
+        pass
+    else:
+        return value if math.isfinite(value) else None
+    try:
+        quantity = FreeCAD.Units.Quantity(text)
+    except ValueError:
+        return None
+    if not text.strip():
+        return None
+    if quantity.Unit == _KINDS[unit]:
+        return float(quantity.Value)
+    return float(quantity.Value) * factor if quantity.Unit == FreeCAD.Units.Unit() else None

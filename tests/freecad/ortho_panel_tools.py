@@ -78,14 +78,7 @@ def untold(panel):
     """Labels of what numbers, lengths and angles are typed into without a sentence beside it."""
     found = []
     for box in panel.findChildren(QtGui.QAbstractSpinBox):
-        try:
-            if not box.inherits("QAbstractSpinBox"):
-                continue
-            words = box.toolTip()
-        except RuntimeError:
-            # PySide takes it, as that above, for a deleted one that lay in the same place: by
-            # chance, so that another run sees it.
-            continue
+        words = box.toolTip()
         told = words.rpartition(" (")[0] if words.endswith(")") else words
         if not told.endswith(".") or len(told.split()) < 4 or not told[0].isupper():
             found.append(f"{box.metaObject().className()} '{words}'")

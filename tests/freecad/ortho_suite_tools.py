@@ -154,6 +154,4 @@ def field(label):
     # FreeCAD shows a panel a while after it was asked for it.
     if not wait(look, 5):
         raise AssertionError(f"no field {label}")
-    # A field writes its number once more right after it came into sight.
-    wait(seconds=0.05)
     return found[0]

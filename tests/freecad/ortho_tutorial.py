@@ -50,7 +50,7 @@ class Tutorial:
         self.select(self.document.Objects[0])
         FreeCADGui.runCommand("Ortho_AlignedNet")
         wait()
-        tools.field("Edge").setProperty("rawValue", edge)
+        tools.field("Edge").setValue(edge)
         # The net for the length that stood there goes, the one for the new length comes.
         wait(lambda: not shown(" vertices, "), 5)
         if not wait(lambda: shown(" vertices, "), 120):
@@ -131,7 +131,7 @@ class Tutorial:
         FreeCADGui.runCommand(f"Ortho_{command}")
         wait()
         for label, value in numbers:
-            tools.field(label).setProperty("rawValue", value)
+            tools.field(label).setValue(value)
         self.look(f"{name}-panel")
         press("Ok")
         wait()
@@ -142,7 +142,7 @@ class Tutorial:
         structure.ViewObject.Proxy.doubleClicked(structure.ViewObject)
         wait()
         for label, value in numbers:
-            tools.field(label).setProperty("rawValue", value)
+            tools.field(label).setValue(value)
         press("Apply")
         self.look(name)
         press("Ok")
