@@ -18,7 +18,7 @@ from freecad_ortho import __version__
 from freecad_ortho.fabricating import fabricate, write_fabrication
 from freecad_ortho.fabrication import Limits, Workshop, materials_of, systems_of
 from freecad_ortho.fabrication.files import REPORT
-from freecad_ortho.fabrication.report.way import Stage, Way
+from freecad_ortho.fabrication.report.way import Stage, StagesBefore
 from freecad_ortho.keywords import Sizes, WorkshopSettings
 from freecad_ortho.mesh_files import ReadMesh, read_mesh
 from freecad_ortho.stages import ALIGN, FABRICATE, OPTIMISE, Stages, digest, key_of
@@ -47,7 +47,7 @@ ALIGNED, NET = "aligned.json", "net.json"
 
 
 @dataclass(frozen=True)
-class Built:
+class BuiltSurface:
     """What became of a surface.
 
     Attributes:
@@ -93,7 +93,7 @@ def build_surface(
     again: bool = False,
     progress: Callable[[str], object] = lambda stage: None,
     **sizes: Unpack[Sizes],
-) -> Built:
+) -> BuiltSurface:
     """Align a net on a surface, make it exact near to it, check its form, make parts and files.
 
     The folder holds the files and the report that the command ``build`` writes. A stage that is
@@ -232,9 +232,9 @@ def _report(stages: Stages) -> dict[str, Any]:
     return found
 
 
-def _built(stages: Stages) -> Built:
+def _built(stages: Stages) -> BuiltSurface:
     aligned, net = (read_mesh(stages.folder / name) for name in (ALIGNED, NET))
-    return Built(
+    return BuiltSurface(
         aligned,
         net,
         tuple(findings_of(stages)),
@@ -325,11 +325,11 @@ def form_words(stages: Stages) -> str:
     return ", ".join(measured(finding, unit) for finding in findings_of(stages))
 
 
-def way_of(stages: Stages) -> Way:
+def way_of(stages: Stages) -> StagesBefore:
     """The stages before the parts, for the reports."""
     align, optimised = (stages.entry(name) or {} for name in (ALIGN, OPTIMISE))
     failed = failures(stages)
-    return Way(
+    return StagesBefore(
         [
             Stage(ALIGN, _words_of(align["settings"]), align["words"]),
             Stage(OPTIMISE, _words_of(optimised["settings"]), optimised["words"]),

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from freecad_ortho import fabrication
 from freecad_ortho.fabrication import Limits, Structure
-from freecad_ortho.fabrication.report.way import Way
+from freecad_ortho.fabrication.report.way import StagesBefore
 from freecad_ortho.keywords import Sizes, WorkshopSettings
 from freecad_ortho.mesh_files import DEFAULT_UNIT
 from freecad_ortho.structural.check import StructuralCheck
@@ -107,7 +107,7 @@ def write_fabrication(
     workers: int | None = None,
     executor: Executor | None = None,
     project: str = "",
-    way: Way | None = None,
+    way: StagesBefore | None = None,
     origin: str | Sequence[float] = "local",
     check: StructuralCheck | Mapping[str, Any] | str | os.PathLike[str] | None = None,
     **workshop: Unpack[WorkshopSettings],

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from freecad_ortho.fabrication.tolerances import Beams, Landed, Tolerances, bolted, held_nodes
+from freecad_ortho.fabrication.tolerances import BeamRows, Landed, Tolerances, bolted, held_nodes
 from freecad_ortho.mesh_files import DEFAULT_UNIT
 from freecad_ortho.units import millimetres_per
 from solver.mesh.local_origin import LocalOrigin
@@ -45,4 +45,4 @@ def tolerances(
     settings = Tolerances(tolerance, trials, seed, holes, node, play, allowed)
     near = LocalOrigin.of_mesh(mesh).near_mesh(mesh).scaled(millimetres_per(unit))
     nodes = None if held is None else list(held)
-    return bolted(Beams.of(near), held_nodes(near, nodes), settings)
+    return bolted(BeamRows.of(near), held_nodes(near, nodes), settings)

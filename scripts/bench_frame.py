@@ -36,7 +36,7 @@ from freecad_ortho.structural.design import Design  # noqa: E402
 from freecad_ortho.structural.model import Model, model_of  # noqa: E402
 from solver.frame.model import Frame, Loads, Supports  # noqa: E402
 from solver.frame.response import response  # noqa: E402
-from solver.frame.system import System  # noqa: E402
+from solver.frame.system import FrameSystem  # noqa: E402
 from solver.mesh.primitives import primitive  # noqa: E402
 from solver.mesh.quadmesh import FloatArray, QuadMesh  # noqa: E402
 from tests.solver.frame import frames  # noqa: E402
@@ -126,7 +126,7 @@ CASES = {
 
 def own(case: Case) -> float:
     """Largest displacement by the project's own frame."""
-    found = response(System(case.frame, case.supports), case.loads)
+    found = response(FrameSystem(case.frame, case.supports), case.loads)
     return float(np.linalg.norm(found.displacements[:, :3], axis=1).max())
 
 

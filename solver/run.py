@@ -20,7 +20,7 @@ from solver.plan import Attempt, Attempts, alone
 from solver.problem import Problem
 from solver.repetition import Repeat
 from solver.report import STOPPED, Outcome, StepRecord
-from solver.summary import Course, summarise
+from solver.summary import RunSummary, summarise
 from solver.whole_plan import Ended, WholePlan
 
 
@@ -173,7 +173,7 @@ class Optimisation:
 
     def outcome(self) -> Outcome:
         """Best mesh so far and its report; the status is ``stopped`` while steps are left."""
-        course = Course(
+        course = RunSummary(
             self.original,
             self.status or STOPPED,
             self.history,

@@ -32,7 +32,7 @@ from solver.tuning import Tuning
 
 
 @dataclass(frozen=True)
-class Course:
+class RunSummary:
     """How a run went.
 
     Attributes:
@@ -70,7 +70,7 @@ class Course:
     repetition: Repeated | None = None
 
 
-def summarise(run: Course, best: Candidate) -> Outcome:
+def summarise(run: RunSummary, best: Candidate) -> Outcome:
     """Put how a run went, and the best shape of it, into an :class:`Outcome`."""
     problem, history = run.original, run.history
     start = problem.mesh
@@ -119,7 +119,7 @@ def summarise(run: Course, best: Candidate) -> Outcome:
     return Outcome(run.origin.back_mesh(best.mesh), report)
 
 
-def _message(run: Course, best: Candidate) -> str:
+def _message(run: RunSummary, best: Candidate) -> str:
     steps = len(run.history)
     if run.status == CONVERGED:
         if not steps:
@@ -139,7 +139,7 @@ def _message(run: Course, best: Candidate) -> str:
     return f"{verb} after {steps} steps, worst {_worst(best)}{where}{advice}"
 
 
-def _remedies(run: Course, best: Candidate) -> list[str]:
+def _remedies(run: RunSummary, best: Candidate) -> list[str]:
     """What to try, by what was asked and what came of it."""
     remedies = [remark.remedy for remark in run.remarks]
     if not best.sound:
@@ -191,7 +191,7 @@ def _crumpled(best: Candidate) -> list[str]:
     ]
 
 
-def _drawn_along(run: Course, border: float) -> list[str]:
+def _drawn_along(run: RunSummary, border: float) -> list[str]:
     """That a net left its border to be on its surface, and which start would not.
 
     Args:

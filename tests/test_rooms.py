@@ -214,3 +214,14 @@ def test_the_package_behind_the_doors_is_light():
         [sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True
     )
     assert result.stdout.strip() == "[]"
+
+
+def test_no_two_public_classes_share_a_name():
+    seen = {}
+    for path in sorted(path for room in PACKAGES for path in (ROOT / room).rglob("*.py")):
+        for item in ast.parse(path.read_text(encoding="utf-8")).body:
+            if isinstance(item, ast.ClassDef) and not item.name.startswith("_"):
+                seen.setdefault(item.name, []).append(path.relative_to(ROOT).as_posix())
+    twice = {name: paths for name, paths in seen.items() if len(paths) > 1}
+    assert len(seen) > 400
+    assert not twice

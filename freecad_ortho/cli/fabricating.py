@@ -15,7 +15,7 @@ from freecad_ortho.curve_files import read_curves
 from freecad_ortho.fabrication.limits import Limits
 from freecad_ortho.fabrication.material import BUILD_UPS, MATERIALS
 from freecad_ortho.fabrication.packages import missing_package_named
-from freecad_ortho.fabrication.report.way import Way
+from freecad_ortho.fabrication.report.way import StagesBefore
 from freecad_ortho.fabrication.site import FAMILY_CHOICES
 from freecad_ortho.fabrication.systems import SYSTEMS
 from freecad_ortho.fabrication.workers import WORKERS
@@ -119,7 +119,7 @@ def refuse_unfit(options: argparse.Namespace) -> None:
 
 
 def fabricated(
-    options: argparse.Namespace, read: api.ReadMesh, project: str, way: Way | None = None
+    options: argparse.Namespace, read: api.ReadMesh, project: str, way: StagesBefore | None = None
 ) -> str:
     """Build the structure and write its files; a line that says what was made.
 

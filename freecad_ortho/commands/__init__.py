@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from freecad_ortho.commands.command import Command
 
-# Toolbar -> names of its commands, in their order; a name is "Ortho_" and the class's name.
+# Toolbar -> names of its commands, in their order: those of their classes, without "Command".
 TOOLBARS = {
     "Design": ("ImportNet", "MultiNet", "NewNet", "ChangeNet"),
     "Optimise": ("Optimise", "OptimiseAgain", "EditNet", "FlipNet"),
@@ -87,7 +87,7 @@ def register() -> None:
 
     _add("Ortho_InstallPackages", InstallPackages())
     for command in _commands():
-        _add(f"Ortho_{type(command).__name__}", command)
+        _add(command.name, command)
     from freecad_ortho.commands.open_example import OpenExample
 
     for name in examples():

@@ -21,6 +21,11 @@ class Command:
     tip: str
     shortcut: str = ""
 
+    @property
+    def name(self) -> str:
+        """FreeCAD's name of it, which is also the context of its words."""
+        return f"Ortho_{type(self).__name__.removesuffix('Command')}"
+
     def GetResources(self) -> dict[str, str]:
         """Text, icon and keys; What's This says the same sentence as the tooltip."""
         texts = {"MenuText": self.text, "ToolTip": self.tip, "WhatsThis": self.tip}

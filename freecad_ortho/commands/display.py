@@ -28,7 +28,7 @@ class Display(NetCommand):
         FreeCADGui.Control.showDialog(DisplayPanel(context.current_net()))
 
 
-class Check(NetCommand):
+class CheckCommand(NetCommand):
     """Open the panel that measures a net against every kind of net."""
 
     icon = "check"

@@ -13,7 +13,7 @@ from solver.errors import InputError
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 
-class FlatPatterns(Command):
+class FlatPatternsCommand(Command):
     """Open the panel that lays the parts of structures flat."""
 
     icon = "flat_patterns"

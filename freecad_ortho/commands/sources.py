@@ -44,7 +44,7 @@ class SourceCommand(Command):
         """The task panel, on what is selected."""
         inputs = self.inputs()
         document = inputs.owners[0].Document if inputs.owners else _document()
-        title = FreeCAD.Qt.translate(f"Ortho_{type(self).__name__}", self.title or self.text)
+        title = FreeCAD.Qt.translate(self.name, self.title or self.text)
         return _panel_class(self.group)(title, self.icon, self.group, document, inputs)
 
     def inputs(self) -> Inputs:
@@ -57,7 +57,7 @@ class SourceCommand(Command):
         )
 
 
-class Primitive(SourceCommand):
+class PrimitiveCommand(SourceCommand):
     """Choose a net that is known exactly."""
 
     group = "primitive"
@@ -68,7 +68,7 @@ class Primitive(SourceCommand):
     )
 
 
-class MultiNet(SourceCommand):
+class MultiNetCommand(SourceCommand):
     """Draw a polyline on a quadric."""
 
     group = "multi-net"

@@ -15,7 +15,7 @@ from solver.errors import InputError
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 
-class StructuralCheck(NetCommand):
+class StructuralCheckCommand(NetCommand):
     """Open the panel that asks for members, supports and loads."""
 
     icon = "structural_check"

@@ -24,11 +24,11 @@ class StructureCommand(NetCommand):
         """Open the task panel."""
         from freecad_ortho.panels.structure_panel import StructurePanel
 
-        title = FreeCAD.Qt.translate(f"Ortho_{type(self).__name__}", self.text)
+        title = FreeCAD.Qt.translate(self.name, self.text)
         FreeCADGui.Control.showDialog(StructurePanel(context.current_net(), self.icon, title))
 
 
-class Arches(StructureCommand):
+class ArchesCommand(StructureCommand):
     """Plates cut flat along the plane lines of a net."""
 
     icon = "arches"
@@ -39,7 +39,7 @@ class Arches(StructureCommand):
     )
 
 
-class Beams(StructureCommand):
+class BeamsCommand(StructureCommand):
     """Beams on the edges or along the parameter lines of a net."""
 
     icon = "beams"
@@ -50,7 +50,7 @@ class Beams(StructureCommand):
     )
 
 
-class BentPanels(StructureCommand):
+class BentPanelsCommand(StructureCommand):
     """Rows of faces as single bent plates."""
 
     icon = "bent-panels"
@@ -60,7 +60,7 @@ class BentPanels(StructureCommand):
     )
 
 
-class EdgeBeam(StructureCommand):
+class EdgeBeamCommand(StructureCommand):
     """A beam along the border of a net."""
 
     icon = "edge-beam"
@@ -71,7 +71,7 @@ class EdgeBeam(StructureCommand):
     )
 
 
-class Feet(StructureCommand):
+class FeetCommand(StructureCommand):
     """Feet below the supported vertices of a net."""
 
     icon = "feet"
@@ -82,7 +82,7 @@ class Feet(StructureCommand):
     )
 
 
-class Lamellas(StructureCommand):
+class LamellasCommand(StructureCommand):
     """Developable strips along the parameter lines of a net."""
 
     icon = "lamellas"
@@ -94,7 +94,7 @@ class Lamellas(StructureCommand):
     )
 
 
-class Louvres(StructureCommand):
+class LouvresCommand(StructureCommand):
     """A slat in every face of a net, on the midpoints of its edges."""
 
     icon = "louvres"
@@ -104,7 +104,7 @@ class Louvres(StructureCommand):
     )
 
 
-class Nodes(StructureCommand):
+class NodesCommand(StructureCommand):
     """Hubs and joints at the vertices of a net."""
 
     icon = "nodes"
@@ -115,7 +115,7 @@ class Nodes(StructureCommand):
     )
 
 
-class Panels(StructureCommand):
+class PanelsCommand(StructureCommand):
     """A flat plate in every face of a net."""
 
     icon = "panels"
@@ -124,7 +124,7 @@ class Panels(StructureCommand):
     tip = QT_TRANSLATE_NOOP("Ortho_Panels", "Put a flat panel in every face of the selected net")
 
 
-class Patches(StructureCommand):
+class PatchesCommand(StructureCommand):
     """Whole developable sheets."""
 
     icon = "patches"

@@ -22,7 +22,7 @@ import numpy as np
 
 from freecad_ortho.fabrication.bodies import Body, Loops, Polyhedron
 from freecad_ortho.fabrication.convex import (
-    Piece,
+    ConvexHull,
     boxes_meet,
     convex_pieces,
     core,
@@ -239,10 +239,10 @@ class _Filling:
         holes: pieces that hold these.
     """
 
-    pieces: list[Piece]
+    pieces: list[ConvexHull]
     exact: bool
-    core: list[Piece]
-    holes: list[Piece]
+    core: list[ConvexHull]
+    holes: list[ConvexHull]
 
 
 def _add_up(filling: Sequence[Polyhedron], body: Body) -> bool:

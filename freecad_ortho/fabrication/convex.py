@@ -32,7 +32,7 @@ _Point = tuple[float, float, float]
 
 
 @dataclass(frozen=True, eq=False)
-class Piece:
+class ConvexHull:
     """The convex hull of corners, or a little more where sides are not plane.
 
     Attributes:
@@ -54,12 +54,12 @@ class Piece:
     convex: bool
 
 
-def convex_pieces(bodies: Sequence[tuple[FloatArray, Loops]]) -> list[Piece]:
+def convex_pieces(bodies: Sequence[tuple[FloatArray, Loops]]) -> list[ConvexHull]:
     """Make pieces of corners (P, 3) and sides, many at once."""
     kinds: dict[Loops, list[int]] = defaultdict(list)
     for number, (_, loops) in enumerate(bodies):
         kinds[loops].append(number)
-    made: dict[int, Piece] = {}
+    made: dict[int, ConvexHull] = {}
     for loops, numbers in kinds.items():
         points = np.array([bodies[number][0] for number in numbers])
         normals = _side_normals(points, loops)
@@ -73,24 +73,24 @@ def convex_pieces(bodies: Sequence[tuple[FloatArray, Loops]]) -> list[Piece]:
         for row, number in enumerate(numbers):
             corners, _ = bodies[number]
             sides = normals[row], levels[row], least[row]
-            made[number] = Piece(corners, boxes[row], loops, *sides, bool(convex[row]))
+            made[number] = ConvexHull(corners, boxes[row], loops, *sides, bool(convex[row]))
     return [made[number] for number in range(len(bodies))]
 
 
-def core(piece: Piece) -> Piece:
+def core(piece: ConvexHull) -> ConvexHull:
     """What lies below all corners of each side: within whatever these sides bound, bent or not."""
     return piece if piece.convex else replace(piece, levels=piece.least)
 
 
 def shared_volume(
-    one: Sequence[Piece], other: Sequence[Piece], taken: Sequence[Piece] = ()
+    one: Sequence[ConvexHull], other: Sequence[ConvexHull], taken: Sequence[ConvexHull] = ()
 ) -> float:
     """Volume that two bodies share, mm3, both as pieces that do not overlap one another.
 
     Where the pieces are more than a body, it is an upper bound. What lies in pieces that are
     ``taken`` off both does not count, twice where these overlap: then it is a lower bound.
     """
-    taken_off: dict[int, list[Piece]] = defaultdict(list)
+    taken_off: dict[int, list[ConvexHull]] = defaultdict(list)
     for i, hole in overlapping(one, taken):
         taken_off[i].append(taken[hole])
     total = 0.0
@@ -103,7 +103,7 @@ def shared_volume(
     return max(total, 0.0)
 
 
-def volume_bounds(pieces: Sequence[Piece], pairs: IntArray) -> FloatArray:
+def volume_bounds(pieces: Sequence[ConvexHull], pairs: IntArray) -> FloatArray:
     """(N,) upper bound of the volume that each pair of pieces (N, 2) shares, mm3.
 
     It is zero where a side of either separates them.
@@ -120,7 +120,7 @@ def volume_bounds(pieces: Sequence[Piece], pairs: IntArray) -> FloatArray:
     return result
 
 
-def overlapping(one: Sequence[Piece], other: Sequence[Piece]) -> list[tuple[int, int]]:
+def overlapping(one: Sequence[ConvexHull], other: Sequence[ConvexHull]) -> list[tuple[int, int]]:
     """Numbers of pieces of two bodies that neither their boxes nor their sides separate."""
     if not one or not other:
         return []
@@ -143,7 +143,7 @@ def boxes_meet(boxes: FloatArray, others: tuple[FloatArray, FloatArray]) -> Bool
     return np.asarray(((boxes[..., 0, :] < high) & (boxes[..., 1, :] > low)).all(axis=-1))
 
 
-def _bound(one: Sequence[Piece], other: Sequence[Piece]) -> FloatArray:
+def _bound(one: Sequence[ConvexHull], other: Sequence[ConvexHull]) -> FloatArray:
     """(N,) the bounds for pieces of one shape each."""
     normals = np.concatenate(
         [np.array([piece.normals for piece in some]) for some in (one, other)], axis=1
@@ -160,7 +160,7 @@ def _bound(one: Sequence[Piece], other: Sequence[Piece]) -> FloatArray:
     return np.asarray(depth * (box**2).sum(axis=1))
 
 
-def _shared(one: Piece, other: Piece, base: FloatArray) -> _Clipped | None:
+def _shared(one: ConvexHull, other: ConvexHull, base: FloatArray) -> _Clipped | None:
     """What two pieces share, seen from a base point; None for nothing."""
     cutting = [_planes(other, base)]
     if one.convex:
@@ -173,7 +173,7 @@ def _shared(one: Piece, other: Piece, base: FloatArray) -> _Clipped | None:
     return left if all(left.cut(*plane) for plane in planes) else None
 
 
-def _planes(piece: Piece, base: FloatArray) -> list[tuple[_Point, float]]:
+def _planes(piece: ConvexHull, base: FloatArray) -> list[tuple[_Point, float]]:
     """Normals of the sides, and their levels seen from a base point."""
     levels = piece.levels - piece.normals @ base
     return list(zip(map(tuple, piece.normals.tolist()), levels.tolist(), strict=True))

@@ -17,8 +17,8 @@ import numpy as np
 from freecad_ortho.fabrication.bezier import blend, through
 from freecad_ortho.fabrication.plate_bodies import triangles_in
 from freecad_ortho.fabrication.ruled import RuledBody
-from freecad_ortho.fabrication.ruled_sides import Sheet, Side
-from freecad_ortho.fabrication.sheet_cells import BentSheet, Cell, Cells, steps_around
+from freecad_ortho.fabrication.ruled_sides import RuledSide, Side
+from freecad_ortho.fabrication.sheet_cells import BentSheet, Cells, SheetCell, steps_around
 from freecad_ortho.fabrication.trimming.rays import bilinear
 from solver.mesh.quadmesh import FloatArray
 
@@ -67,7 +67,7 @@ def cut_pieces(
     return sorted(pieces, key=lambda piece: -piece.width)
 
 
-def _piece(sheet: BentSheet, cells: Cells, some: list[Cell]) -> CutPiece:
+def _piece(sheet: BentSheet, cells: Cells, some: list[SheetCell]) -> CutPiece:
     import shapely
     from shapely.ops import polylabel
 
@@ -91,7 +91,7 @@ def _piece(sheet: BentSheet, cells: Cells, some: list[Cell]) -> CutPiece:
 class _Folder:
     """Makes the body of a piece from its cells."""
 
-    def __init__(self, sheet: BentSheet, cells: Cells, some: list[Cell]) -> None:
+    def __init__(self, sheet: BentSheet, cells: Cells, some: list[SheetCell]) -> None:
         self._sheet, self._cells, self._some = sheet, cells, some
         used = np.unique(np.concatenate([loop for cell in some for loop in cell.loops]))
         self._number = {int(k): row for row, k in enumerate(used)}
@@ -101,7 +101,7 @@ class _Folder:
         for cell in some:
             self._place(cell)
         self._sides: list[Side] = []
-        self._sheets: list[Sheet] = []
+        self._sheets: list[RuledSide] = []
         self._handles: dict[tuple[int, int], FloatArray] = {}
         self._blocks: list[FloatArray] = []
 
@@ -123,7 +123,7 @@ class _Folder:
             tuple(self._sheets),
         )
 
-    def _place(self, cell: Cell) -> None:
+    def _place(self, cell: SheetCell) -> None:
         """Find where the points of a cell are on both sides of the sheet."""
         sheet, cells = self._sheet, self._cells
         numbers = np.unique(np.concatenate(cell.loops))
@@ -144,7 +144,7 @@ class _Folder:
             else:
                 self._layers[:, own] = both[:, row]
 
-    def _add(self, cell: Cell) -> None:
+    def _add(self, cell: SheetCell) -> None:
         """Add both sides of a cell, and the blocks that hold it."""
         sheet, number, count = self._sheet, self._number, self._count
         loops = [tuple(number[k] for k in loop) for loop in cell.loops]
@@ -155,7 +155,7 @@ class _Folder:
         if len(loops) == 1 and (sheet.plane[cell.face] or whole):
             self._sides += [upper[0], lower[0]]
         elif sheet.plane[cell.face]:
-            self._sheets += [Sheet(upper), Sheet(lower)]
+            self._sheets += [RuledSide(upper), RuledSide(lower)]
         else:
             self._add_surfaces(cell, upper, lower)
         corners = sheet.sides[:, sheet.faces[cell.face]]
@@ -168,16 +168,18 @@ class _Folder:
                 self._layers[:, [number[int(k)] for k in ring[triangle]]].reshape(-1, 3)
             )
 
-    def _add_surfaces(self, cell: Cell, upper: tuple[Side, ...], lower: tuple[Side, ...]) -> None:
+    def _add_surfaces(
+        self, cell: SheetCell, upper: tuple[Side, ...], lower: tuple[Side, ...]
+    ) -> None:
         """Cut both surfaces of a face that is not plane along the curves around a cell."""
         corners = self._sheet.sides[:, self._sheet.faces[cell.face]]
         below, above = corners[:, [[0, 1], [3, 2]]]
         places = [
             [self._curve(cell.face, *step) for step in steps_around(loop)] for loop in cell.loops
         ]
-        self._sheets.append(Sheet(upper, above, tuple(map(tuple, places))))
+        self._sheets.append(RuledSide(upper, above, tuple(map(tuple, places))))
         turned = [[curve[::-1] * (1, -1) + (0, 1) for curve in row[::-1]] for row in places]
-        self._sheets.append(Sheet(lower, below[::-1], tuple(map(tuple, turned))))
+        self._sheets.append(RuledSide(lower, below[::-1], tuple(map(tuple, turned))))
 
     def _curve(self, face: int, start: int, end: int) -> FloatArray:
         """Control points in u and v of the straight line of the pattern between two points."""

@@ -21,7 +21,7 @@ from freecad_ortho.fabrication.nesting.sheet import file_words
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.production import Production, produce
 from freecad_ortho.fabrication.report import overview, report_page
-from freecad_ortho.fabrication.report.way import Way
+from freecad_ortho.fabrication.report.way import StagesBefore
 from freecad_ortho.fabrication.step import write_step
 from freecad_ortho.fabrication.stl import write_stl
 from freecad_ortho.fabrication.structure import Progress, Structure, build
@@ -71,7 +71,7 @@ def write(
     workshop: Workshop | None = None,
     executor: Executor | None = None,
     project: str = "",
-    way: Way | None = None,
+    way: StagesBefore | None = None,
     check: Mapping[str, Any] | None = None,
 ) -> list[Path]:
     """Write solids, flat patterns, lists and reports; with a sheet size the folder ``sheets`` too.
@@ -186,7 +186,7 @@ def write_lists(
     folder: Path,
     production: Production,
     project: str = "",
-    way: Way | None = None,
+    way: StagesBefore | None = None,
     check: Mapping[str, Any] | None = None,
 ) -> list[str]:
     """Write the lists and reports into a folder that holds all other files.

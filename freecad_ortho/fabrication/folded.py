@@ -23,7 +23,7 @@ from solver.mesh.quadmesh import FloatArray
 
 
 @dataclass(frozen=True)
-class Slot:
+class NodeSlot:
     """A slot at a node.
 
     Attributes:
@@ -59,7 +59,7 @@ class Chain:
     frame: FloatArray
     levels: tuple[float, float]
     half: float
-    slots: tuple[Slot | None, ...]
+    slots: tuple[NodeSlot | None, ...]
     ends: tuple[tuple[float, float], tuple[float, float]] | None
     tongues: tuple[float, float]
 

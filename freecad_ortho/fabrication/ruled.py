@@ -11,7 +11,7 @@ import numpy as np
 
 from freecad_ortho.fabrication.bezier import bernstein, blend, gauss, raised, through
 from freecad_ortho.fabrication.bodies import Body, Loops, Polyhedron
-from freecad_ortho.fabrication.ruled_sides import Bore, Sheet, Side
+from freecad_ortho.fabrication.ruled_sides import Bore, RuledSide, Side
 from solver.mesh.quadmesh import FloatArray
 
 if TYPE_CHECKING:
@@ -46,7 +46,7 @@ class RuledBody(Body):
     sides: tuple[Side, ...]
     handles: Mapping[tuple[int, int], FloatArray] = field(default_factory=dict)
     blocks: tuple[FloatArray, ...] = ()
-    sheets: tuple[Sheet, ...] = ()
+    sheets: tuple[RuledSide, ...] = ()
     bores: tuple[Bore, ...] = ()
     cells: bool = False
 
@@ -128,7 +128,7 @@ class RuledBody(Body):
         """Volume by the divergence theorem; quadrature that is exact for these sides."""
         origin = self.corners[0]
         total = self._volume_to_ruled(origin) + self._volume_to_planes(origin)
-        alike: dict[tuple[tuple[int, ...], ...], list[Sheet]] = {}
+        alike: dict[tuple[tuple[int, ...], ...], list[RuledSide]] = {}
         for sheet in self.sheets:
             if sheet.rails is None:
                 total += self._volume_to_plane_sheet(sheet, origin)
@@ -175,7 +175,7 @@ class RuledBody(Body):
         a, b, c = np.moveaxis(self.corners[np.array(fans)] - origin, 1, 0)
         return float(np.einsum("tk,tk->", a, np.cross(b, c))) / 6
 
-    def _volume_to_plane_sheet(self, sheet: Sheet, origin: FloatArray) -> float:
+    def _volume_to_plane_sheet(self, sheet: RuledSide, origin: FloatArray) -> float:
         """Volume of the cone from a point to a plane side with curved edges."""
         start = self.corners[sheet.loops[0][0]]
         area = np.zeros(3)
@@ -217,7 +217,7 @@ def _shorter(blocks: FloatArray, parts: int) -> FloatArray:
     return np.stack(found, axis=1).reshape(-1, *blocks.shape[1:])
 
 
-def _volume_to_surfaces(sheets: Sequence[Sheet], origin: FloatArray) -> float:
+def _volume_to_surfaces(sheets: Sequence[RuledSide], origin: FloatArray) -> float:
     """Volume of the cones from a point to what loops cut from ruled surfaces of one shape.
 
     With f the flux through the surface a unit of u and v, Green's theorem makes of its integral the

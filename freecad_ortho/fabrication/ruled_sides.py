@@ -11,7 +11,7 @@ Side = tuple[int, ...]
 
 
 @dataclass(frozen=True, eq=False)
-class Sheet:
+class RuledSide:
     """A side that is cut from a surface along curves.
 
     Attributes:

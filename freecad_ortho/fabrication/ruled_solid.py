@@ -15,7 +15,7 @@ from OCP.TColgp import TColgp_Array1OfPnt, TColgp_Array1OfPnt2d, TColgp_Array2Of
 from OCP.TColStd import TColStd_Array1OfInteger, TColStd_Array1OfReal
 from OCP.TopoDS import TopoDS_Face, TopoDS_Shell, TopoDS_Solid, TopoDS_Wire
 
-from freecad_ortho.fabrication.ruled_sides import Bore, Sheet, Side
+from freecad_ortho.fabrication.ruled_sides import Bore, RuledSide, Side
 from freecad_ortho.fabrication.solids import plane_of
 from solver.mesh.quadmesh import FloatArray
 
@@ -41,7 +41,7 @@ class Ruled(Protocol):
         """Plane or ruled sides."""
 
     @property
-    def sheets(self) -> tuple[Sheet, ...]:
+    def sheets(self) -> tuple[RuledSide, ...]:
         """Further sides, cut from surfaces."""
 
     @property
@@ -107,7 +107,7 @@ class _Builder:
             return self._face(_plane(self._outline(side)), (side,), None)
         return self._face(surface, (side,), (_AROUND,))
 
-    def _sheet(self, sheet: Sheet) -> Any:
+    def _sheet(self, sheet: RuledSide) -> Any:
         if sheet.rails is None:
             return self._face(_plane(self._outline(sheet.loops[0])), sheet.loops, None)
         return self._face(_bezier_surface(*sheet.rails), sheet.loops, sheet.places)

@@ -77,7 +77,7 @@ Loops = list[list[int]]
 
 
 @dataclass(frozen=True, eq=False)
-class Cell:
+class SheetCell:
     """A part of a face."""
 
     face: int
@@ -114,7 +114,7 @@ class Cells:
         bounds = np.cumsum([len(sheet.flat), *map(len, rings)])
         loops = [numbers[start:end].tolist() for start, end in pairwise(bounds.tolist())]
         self.cells = [
-            Cell(face, [_without_repeats(loops[ring]) for ring in own])
+            SheetCell(face, [_without_repeats(loops[ring]) for ring in own])
             for face, own in zip(faces, owners, strict=True)
         ]
         self.sides: dict[int, list[tuple[int, int, float]]] = {}
@@ -185,7 +185,7 @@ class Cells:
         common = set.intersection(*sides)
         return min(common) if common else None
 
-    def pieces(self) -> list[list[Cell]]:
+    def pieces(self) -> list[list[SheetCell]]:
         """Cells that hang together by their sides."""
         owner: dict[tuple[int, int], int] = {}
         pairs = []

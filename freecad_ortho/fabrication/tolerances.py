@@ -90,7 +90,7 @@ class Tolerances:
 
 
 @dataclass(frozen=True, eq=False)
-class Beams:
+class BeamRows:
     """Beams between nodes, one row each.
 
     Attributes:
@@ -104,7 +104,7 @@ class Beams:
     frame: FloatArray
 
     @classmethod
-    def of(cls, mesh_mm: QuadMesh) -> Beams:
+    def of(cls, mesh_mm: QuadMesh) -> BeamRows:
         """Those on the edges of a net, upright along its axes."""
         frames = beam_frames(mesh_mm, torsion_free_axes(mesh_mm))
         rows = np.stack([frames.along, frames.up, frames.left], axis=1)
@@ -185,7 +185,7 @@ class Landed:
         return float(np.quantile(values, _MOST))
 
 
-def bolted(beams: Beams, held: BoolArray, settings: Tolerances) -> Landed:
+def bolted(beams: BeamRows, held: BoolArray, settings: Tolerances) -> Landed:
     """Bolt a shell together in many trials.
 
     Args:
@@ -254,7 +254,7 @@ def held_nodes(mesh: QuadMesh, nodes: Sequence[int] | None) -> BoolArray:
     return held
 
 
-def _errors(beams: Beams, settings: Tolerances) -> FloatArray:
+def _errors(beams: BeamRows, settings: Tolerances) -> FloatArray:
     """(T, E, 3) by how much each beam misplaces its second end, in space, mm."""
     drawn = np.random.default_rng(settings.seed).uniform(
         -settings.tolerance, settings.tolerance, (settings.trials, len(beams.ends), 10)

@@ -53,16 +53,16 @@ def structure(features: Sequence[FreeCAD.DocumentObject], placed: bool = False) 
     Raises:
         InputError: not structures, structures that do not go together, or sizes that do not fit.
     """
-    plan = _plan(features)
+    order = _ordered(features)
     whole = build(
-        plan.mesh,
-        plan.systems,
-        material=plan.materials,
-        limits=plan.limits,
-        selection=plan.selection,
-        border=plan.border,
+        order.mesh,
+        order.systems,
+        material=order.materials,
+        limits=order.limits,
+        selection=order.selection,
+        border=order.border,
     )
-    chosen = _warned(whole.only(*plan.wanted), outdated.notice(features[0]))
+    chosen = _warned(whole.only(*order.wanted), outdated.notice(features[0]))
     return _placed(chosen, features) if placed else chosen
 
 
@@ -99,21 +99,28 @@ def fingerprint(features: Sequence[FreeCAD.DocumentObject], *more: Any) -> str:
     Raises:
         InputError: as :func:`structure`, as far as the geometry does not matter.
     """
-    plan = _plan(features)
-    net = plan.mesh.connectivity
-    word = sha256(plan.mesh.vertices.tobytes() + net.half_edges[:, 0].tobytes())
+    order = _ordered(features)
+    net = order.mesh.connectivity
+    word = sha256(order.mesh.vertices.tobytes() + net.half_edges[:, 0].tobytes())
     if net.mixed:
         word.update(net.face_sizes.tobytes())
-    for line in plan.border:
+    for line in order.border:
         word.update(line.tobytes())
     # Another version of the workbench may build the same in another way.
-    settings = (__version__, plan.systems, plan.materials, plan.limits, plan.selection, plan.wanted)
+    settings = (
+        __version__,
+        order.systems,
+        order.materials,
+        order.limits,
+        order.selection,
+        order.wanted,
+    )
     word.update(repr((settings, more)).encode())
     return word.hexdigest()
 
 
 @dataclass(frozen=True, eq=False)
-class _Plan:
+class _Order:
     """All that the properties of structures say, as fabrication takes it."""
 
     mesh: QuadMesh
@@ -125,7 +132,7 @@ class _Plan:
     border: tuple[FloatArray, ...]
 
 
-def _plan(features: Sequence[FreeCAD.DocumentObject]) -> _Plan:
+def _ordered(features: Sequence[FreeCAD.DocumentObject]) -> _Order:
     net = _common_net(features)
     by_system = _by_system(features)
     carrier = _carrier(by_system, net)
@@ -140,7 +147,7 @@ def _plan(features: Sequence[FreeCAD.DocumentObject]) -> _Plan:
         by_system["edge-beam"] = edge_beam
     ordered = [name for name in SYSTEMS if name in by_system]
     lines = _agreed(features, "lines", lambda feature: (feature.Family, tuple(feature.Lines)))
-    return _Plan(
+    return _Order(
         convert.quad_mesh(net),
         [system_of(by_system[name], name) for name in ordered],
         {name: material_of(by_system[name]) for name in ordered},

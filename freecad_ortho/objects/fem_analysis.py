@@ -11,7 +11,7 @@ import numpy as np
 
 from freecad_ortho import convert
 from freecad_ortho.objects import fem_loads
-from freecad_ortho.structural.calculix import ARM, PIECES, Joined, arm_side, what_is_missing
+from freecad_ortho.structural.calculix import ARM, PIECES, JoinedBeams, arm_side, what_is_missing
 from freecad_ortho.structural.model import Model
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray
@@ -50,7 +50,7 @@ def create(
     from freecad_ortho.objects import fem_solver
 
     analysis = ObjectsFem.makeAnalysis(document, "NetAnalysis")
-    joined = Joined.of(model)
+    joined = JoinedBeams.of(model)
     lines = _lines(document, joined, shift)
     members = [fem_solver.create(document), _mesh(document, model, joined, lines, shift)]
     members += _sections(ObjectsFem, document, model, joined, lines)
@@ -68,7 +68,7 @@ def create(
     return analysis
 
 
-def _lines(document: Any, joined: Joined, shift: FloatArray) -> Any:
+def _lines(document: Any, joined: JoinedBeams, shift: FloatArray) -> Any:
     """An edge for every member, with two vertices each, which sections and supports name."""
     import Part
 
@@ -80,7 +80,7 @@ def _lines(document: Any, joined: Joined, shift: FloatArray) -> Any:
     return feature
 
 
-def _mesh(document: Any, model: Model, joined: Joined, lines: Any, shift: FloatArray) -> Any:
+def _mesh(document: Any, model: Model, joined: JoinedBeams, lines: Any, shift: FloatArray) -> Any:
     import Fem
 
     cut = joined.cut
@@ -110,7 +110,9 @@ def _mesh(document: Any, model: Model, joined: Joined, lines: Any, shift: FloatA
     return feature
 
 
-def _sections(fem: Any, document: Any, model: Model, joined: Joined, lines: Any) -> Iterable[Any]:
+def _sections(
+    fem: Any, document: Any, model: Model, joined: JoinedBeams, lines: Any
+) -> Iterable[Any]:
     """A section and a material for each group of members, and for arms beside the net."""
     one_for_all = len(model.groups) == 1 and len(joined.frame.members) == len(model.families)
     for group in model.groups:
@@ -182,7 +184,9 @@ def _material(
     return feature
 
 
-def _supports(fem: Any, document: Any, model: Model, joined: Joined, lines: Any) -> Iterable[Any]:
+def _supports(
+    fem: Any, document: Any, model: Model, joined: JoinedBeams, lines: Any
+) -> Iterable[Any]:
     """A constraint for every kind of support."""
     held, first = model.supports.fixed, {}
     for place, node in enumerate(joined.frame.members.ravel().tolist(), 1):

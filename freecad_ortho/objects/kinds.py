@@ -15,10 +15,10 @@ ON_BEAMS = ("panels", "nodes")
 AT_EDGE_BEAM = ("beams", "nodes", "panels", "lamellas")
 
 
-class Built(outdated.Following):
+class BuiltProxy(outdated.Following):
     """Base of the proxy of structures, by which they are known."""
 
 
 def is_structure(feature: object) -> bool:
     """Tell whether a document object is a structure."""
-    return isinstance(getattr(feature, "Proxy", None), Built)
+    return isinstance(getattr(feature, "Proxy", None), BuiltProxy)

@@ -126,7 +126,7 @@ NET_PROPERTIES = (
 )
 
 
-class Net(Persistent):
+class NetProxy(Persistent):
     """Proxy of a net. The properties hold everything; others react when they change."""
 
     properties = NET_PROPERTIES
@@ -145,7 +145,7 @@ def create(document: FreeCAD.Document, mesh: QuadMesh, label: str) -> FreeCAD.Do
         label: name in the tree.
     """
     feature = document.addObject("App::FeaturePython", "Net")
-    Net(feature)
+    NetProxy(feature)
     feature.Label = label
     convert.store_mesh(feature, mesh)
     if FreeCAD.GuiUp:
@@ -186,4 +186,8 @@ def asked_of_diagonals(net: FreeCAD.DocumentObject) -> bool:
 
 def is_net(feature: object) -> bool:
     """Tell whether a document object is a net."""
-    return isinstance(getattr(feature, "Proxy", None), Net)
+    return isinstance(getattr(feature, "Proxy", None), NetProxy)
+
+
+# Documents name the class of a net's proxy; those of earlier versions call it so.
+Net = NetProxy

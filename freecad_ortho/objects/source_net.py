@@ -15,7 +15,7 @@ import numpy as np
 from freecad_ortho import answers, convert
 from freecad_ortho.objects import cad_faces, outdated, places, strokes
 from freecad_ortho.objects.making import Inputs, Making
-from freecad_ortho.objects.net import NET_PROPERTIES, Net
+from freecad_ortho.objects.net import NET_PROPERTIES, NetProxy
 from freecad_ortho.objects.option_properties import properties, read, write
 from freecad_ortho.objects.properties import (
     HIDDEN,
@@ -108,7 +108,7 @@ _STROKES = Property(
 _LINKS = {"nets": "Nets", "faces": "CadFaces", "strokes": "Strokes"}
 
 
-class SourceNet(Net):
+class SourceNet(NetProxy):
     """Proxy of a net that follows a source; all that is needed to make it stands in properties."""
 
     properties = _PROPERTIES

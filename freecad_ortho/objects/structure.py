@@ -21,7 +21,7 @@ from freecad_ortho.objects.kinds import (
     ON_BEAMS,
     PANELS,
     TITLES,
-    Built,
+    BuiltProxy,
     is_structure,
 )
 from freecad_ortho.objects.limit_properties import limit_properties
@@ -145,7 +145,7 @@ _PROPERTIES = (
 )
 
 
-class Structure(Built):
+class StructureProxy(BuiltProxy):
     """Proxy of a structure. Only recomputing needs the fabrication packages, showing does not."""
 
     properties = _PROPERTIES
@@ -182,7 +182,7 @@ def create(document: FreeCAD.Document, title: str, **properties: Any) -> FreeCAD
     """
     feature = document.addObject("Part::FeaturePython", title.replace("-", ""))
     feature.Label = title
-    Structure(feature)
+    StructureProxy(feature)
     outdated.watch()
     feature.System = title
     feature.setPropertyStatus("System", "ReadOnly")
@@ -309,3 +309,7 @@ def summary(feature: FreeCAD.DocumentObject) -> str:
         )
     words += report["messages"]
     return "; ".join(words)
+
+
+# Documents name the class of a structure's proxy; those of earlier versions call it so.
+Structure = StructureProxy

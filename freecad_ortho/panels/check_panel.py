@@ -136,14 +136,14 @@ def _multi_net(found: dict[str, Any] | None) -> str:
     return words.format(found["worst"])
 
 
-class Cell(NamedTuple):
+class TableCell(NamedTuple):
     """What a cell of a table shows, and what it says when the mouse rests there."""
 
     text: str
     tip: str = ""
 
 
-def _measures(result: dict[str, Any]) -> list[list[Cell]]:
+def _measures(result: dict[str, Any]) -> list[list[TableCell]]:
     places = {
         "face": translate("Ortho", "face"),
         "edge": translate("Ortho", "edge"),
@@ -155,21 +155,23 @@ def _measures(result: dict[str, Any]) -> list[list[Cell]]:
         # As on drawings and engravings: V17 is vertex 17.
         letter = where[0].upper()
         place = (
-            Cell("") if number is None else Cell(f"{letter}{number}", f"{places[where]} {number}")
+            TableCell("")
+            if number is None
+            else TableCell(f"{letter}{number}", f"{places[where]} {number}")
         )
         title = translate("Ortho", all_measures()[name].title)
-        rows.append([Cell(title), Cell(f"{entry['max']:.1e}"), place])
+        rows.append([TableCell(title), TableCell(f"{entry['max']:.1e}"), place])
     return rows
 
 
-def _advice(result: dict[str, Any]) -> list[list[Cell]]:
-    yes, no = Cell("✓", translate("Ortho", "yes")), Cell("–", translate("Ortho", "no"))
+def _advice(result: dict[str, Any]) -> list[list[TableCell]]:
+    yes, no = TableCell("✓", translate("Ortho", "yes")), TableCell("–", translate("Ortho", "no"))
     tip = translate("Ortho", "Beside what it is off right angles, which all these nets ask for.")
     names = net_words()
     return [
         [
-            Cell(_title(advice), names[advice["net"]]),
-            Cell(f"{advice['beyond']:.1e}", tip),
+            TableCell(_title(advice), names[advice["net"]]),
+            TableCell(f"{advice['beyond']:.1e}", tip),
             yes if advice["possible"] else no,
         ]
         for advice in result["advice"]["nets"]
@@ -205,7 +207,7 @@ def _wrapped(text: str) -> QtGui.QLabel:
     return label
 
 
-def _table(titles: list[str], rows: list[list[Cell]]) -> QtGui.QTableWidget:
+def _table(titles: list[str], rows: list[list[TableCell]]) -> QtGui.QTableWidget:
     table = QtGui.QTableWidget(len(rows), len(titles))
     table.setHorizontalHeaderLabels(titles)
     table.verticalHeader().hide()

@@ -22,7 +22,7 @@ translate = FreeCAD.Qt.translate
 _FIRST = "0,0,-1"
 
 
-class Picking:
+class PickingButton:
     """A button; while it is pressed a click on a vertex of the net takes it in, or out again.
 
     Args:
@@ -35,7 +35,7 @@ class Picking:
 
     def __init__(self, net: FreeCAD.DocumentObject) -> None:
         self._net = net
-        self.beside: Picking | None = None
+        self.beside: PickingButton | None = None
         self._mouse: Mouse | None = None
         self._was_seen = True
         self.button = QtGui.QPushButton(translate("Ortho", "Pick vertices"))
@@ -91,7 +91,7 @@ class Picking:
         self._mouse.handles.show(np.array(self._points[seen]).reshape(-1, 3), [HELD] * len(seen))
 
 
-class SupportPicking(Picking):
+class SupportPicking(PickingButton):
     """Vertices that are picked are one entry of the text, ``3,17``, and keep the kind behind it.
 
     Args:
@@ -119,7 +119,7 @@ class SupportPicking(Picking):
         return [number for entry in entries for number in _numbers(entry.strip()) or ()]
 
 
-class LoadPicking(Picking):
+class LoadPicking(PickingButton):
     """A vertex that is picked has the force of the last entry of the text, ``12:0,0,-5``.
 
     Args:

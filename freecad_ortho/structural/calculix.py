@@ -34,7 +34,7 @@ _SHARES = (1 / 6, 2 / 3, 1 / 6)
 
 
 @dataclass(frozen=True, eq=False)
-class Elements:
+class BeamElements:
     """Members as elements of three nodes, ``PIECES`` a member, one member after the other.
 
     Attributes:
@@ -46,7 +46,7 @@ class Elements:
     elements: IntArray
 
     @classmethod
-    def of(cls, frame: Frame) -> Elements:
+    def of(cls, frame: Frame) -> BeamElements:
         """Cut the members of a frame."""
         divided = frame.divided(2 * PIECES)
         chain = divided.members.reshape(-1, 2, 2)
@@ -108,7 +108,7 @@ def _section(group: Group) -> tuple[str, str] | None:
 
 
 @dataclass(frozen=True, eq=False)
-class Joined:
+class JoinedBeams:
     """A model as beams and what links them.
 
     Attributes:
@@ -120,16 +120,18 @@ class Joined:
 
     frame: Frame
     links: Sequence[Link]
-    cut: Elements
+    cut: BeamElements
 
     @classmethod
-    def of(cls, model: Model) -> Joined:
+    def of(cls, model: Model) -> JoinedBeams:
         """Beams of a model."""
         pinned, pairs = _with_pins(model)
         frame, links = calculix_links.giving_joints(pinned, _LEVER * arm_side(model))
         for one, two in pairs.tolist():
             links += [Link(((one, k, 1.0), (two, k, -1.0))) for k in range(3)]
-        return cls(frame, [*links, *calculix_links.stiffening_panels(frame)], Elements.of(frame))
+        return cls(
+            frame, [*links, *calculix_links.stiffening_panels(frame)], BeamElements.of(frame)
+        )
 
     def forces(self, loads: Loads) -> FloatArray:
         """(N, 3) forces on the nodes of the elements in N, of loads on the model."""
@@ -150,7 +152,7 @@ class Joined:
 
 
 def _lines(model: Model, sections: Sequence[tuple[str, str]]) -> Iterator[str]:
-    joined = Joined.of(model)
+    joined = JoinedBeams.of(model)
     cut = joined.cut
     yield f"** {model.section_words} of {model.material_words}; N, mm, t; z upwards"
     yield "*NODE, NSET=ALL"

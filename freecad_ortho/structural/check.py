@@ -11,7 +11,7 @@ import numpy as np
 
 from freecad_ortho.structural.bending import share_of_bending, strain_energies
 from freecad_ortho.structural.combinations import SERVICE, STRENGTH, Combination
-from freecad_ortho.structural.membrane import Membrane, membrane
+from freecad_ortho.structural.membrane import MembraneForces, membrane
 from freecad_ortho.structural.model import Model
 from freecad_ortho.structural.slots import at_slots
 from freecad_ortho.structural.strength import used_words
@@ -20,7 +20,7 @@ from solver.frame.buckling import Buckling, buckling
 from solver.frame.model import Loads
 from solver.frame.response import Response, imbalance, response
 from solver.frame.second_order import imperfect, second_order
-from solver.frame.system import System
+from solver.frame.system import FrameSystem
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray
 
@@ -35,7 +35,7 @@ _IMPERFECTION = 1 / 300
 
 
 @dataclass(frozen=True, eq=False)
-class Found:
+class CombinationResult:
     """What one combination does.
 
     Attributes:
@@ -68,7 +68,7 @@ class Found:
     slot: FloatArray | None = None
     bent: float | None = None
     carried: float | None = None
-    membrane: Membrane | None = None
+    membrane: MembraneForces | None = None
 
     @property
     def utilisation(self) -> FloatArray:
@@ -107,16 +107,16 @@ class StructuralCheck:
 
     model: Model
     cases: tuple[Response, ...]
-    found: tuple[Found, ...]
+    found: tuple[CombinationResult, ...]
     imperfection: float | None = None
 
     @cached_property
-    def strength(self) -> tuple[Found, ...]:
+    def strength(self) -> tuple[CombinationResult, ...]:
         """Combinations for forces and buckling."""
         return tuple(one for one in self.found if one.combination.kind == STRENGTH)
 
     @cached_property
-    def service(self) -> tuple[Found, ...]:
+    def service(self) -> tuple[CombinationResult, ...]:
         """Combinations for displacements."""
         return tuple(one for one in self.found if one.combination.kind == SERVICE)
 
@@ -151,7 +151,7 @@ class StructuralCheck:
         return None if first is None else first.factor
 
     @cached_property
-    def first_to_buckle(self) -> Found | None:
+    def first_to_buckle(self) -> CombinationResult | None:
         """The combination with the least buckling factor; None where nothing buckles."""
         some = [one for one in self.strength if one.factor is not None]
         return min(some, key=lambda one: one.factor or 0.0, default=None)
@@ -285,7 +285,7 @@ def check_model(
         raise InputError("combinations: none is for strength; give one at least")
     say = progress or (lambda fraction, words: None)
     say(0.0, "forces")
-    system = System(model.frame, model.supports)
+    system = FrameSystem(model.frame, model.supports)
     cases = tuple(response(system, case.loads) for case in model.cases)
     pieces = _Pieces(model)
     found = []
@@ -304,7 +304,7 @@ class _Pieces:
         self.count = design.pieces
         self.frame = model.frame.divided(self.count)
         self.supports = model.supports.followed_by(len(self.frame.nodes))
-        self.system = System(self.frame, self.supports)
+        self.system = FrameSystem(self.frame, self.supports)
         self.loads = [case.loads.divided(model.frame, self.count) for case in model.cases]
         self.cases = [response(self.system, loads) for loads in self.loads]
         given = design.imperfection
@@ -318,7 +318,7 @@ class _Pieces:
         carried, forces = 1.0, []
         for sign in (1.0, -1.0):
             frame = imperfect(self.frame, mode.shapes[0], sign * self.imperfection)
-            found = second_order(System(frame, self.supports), loads)
+            found = second_order(FrameSystem(frame, self.supports), loads)
             carried = min(carried, found.factor)
             forces.append(_along(self, found.response))
         return carried, np.concatenate(forces)
@@ -326,7 +326,7 @@ class _Pieces:
 
 def _one(
     model: Model, combination: Combination, cases: Sequence[Response], pieces: _Pieces
-) -> Found:
+) -> CombinationResult:
     factors = [combination.factors.get(case.name, 0.0) for case in model.cases]
     whole = _summed(factors, cases)
     loads = _summed(factors, [case.loads for case in model.cases])
@@ -334,7 +334,7 @@ def _one(
     count = len(model.families)
     if combination.kind == SERVICE:
         none = np.zeros(count)
-        return Found(
+        return CombinationResult(
             combination, whole, balance, none, none, np.zeros((count, 6)), np.zeros(count, bool)
         )
     mode = buckling(pieces.system, _summed(factors, pieces.cases), model.design.modes)
@@ -358,7 +358,7 @@ def _one(
     governing = np.take_along_axis(forces, at[None], axis=0)[0]
     second = np.asarray((at >= drawn).any(axis=1))
     axial = membrane(model, loads, whole)
-    return Found(
+    return CombinationResult(
         combination,
         whole,
         balance,

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_ortho.structural.check import Found, StructuralCheck
+from freecad_ortho.structural.check import CombinationResult, StructuralCheck
 from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray
 
@@ -100,12 +100,12 @@ def strips(members: int, sections: int) -> IntArray:
     return np.stack([one, two, two + tip, one + tip], axis=1)
 
 
-def drawn_combination(check: StructuralCheck) -> Found:
+def drawn_combination(check: StructuralCheck) -> CombinationResult:
     """The combination that uses a member most, whose forces are drawn."""
     return check.strength[int(check.governing[int(check.utilisation.argmax())])]
 
 
-def forces_along(check: StructuralCheck, one: Found | None = None) -> FloatArray:
+def forces_along(check: StructuralCheck, one: CombinationResult | None = None) -> FloatArray:
     """(M, 3, 6) forces of first order at start, middle and end of the members, kN and kNm.
 
     Args:

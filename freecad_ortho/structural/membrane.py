@@ -15,7 +15,7 @@ from solver.statics import equilibrium_system
 
 
 @dataclass(frozen=True)
-class Membrane:
+class MembraneForces:
     """The axial forces of a frame beside those of a net that carries the same load by these alone.
 
     Attributes:
@@ -35,7 +35,7 @@ class Membrane:
     needed: float
 
 
-def membrane(model: Model, loads: Loads, found: Response) -> Membrane | None:
+def membrane(model: Model, loads: Loads, found: Response) -> MembraneForces | None:
     """Compare force densities, N / L, of the frame and of the nearest state without bending.
 
     All loads are gathered at the nodes, half of what lies on a member at each end. None where no
@@ -63,7 +63,7 @@ def membrane(model: Model, loads: Loads, found: Response) -> Membrane | None:
     wanted = float(np.linalg.norm(nearest * frame.lengths))
     taken = float(np.linalg.norm(density * frame.lengths))
     apart = float(np.linalg.norm((nearest - density) * frame.lengths))
-    return Membrane(
+    return MembraneForces(
         left=float(np.linalg.norm(at_nodes - matrix @ nearest)) / size,
         carried=max(0.0, 1.0 - float(np.linalg.norm(missing)) / size),
         apart=apart / (wanted or 1.0),

@@ -9,7 +9,7 @@ import numpy as np
 
 from freecad_ortho.fabrication.report.page import STYLE
 from freecad_ortho.fabrication.report.pictures import CORNER, PLAN
-from freecad_ortho.structural.check import ENOUGH, Found, StructuralCheck
+from freecad_ortho.structural.check import ENOUGH, CombinationResult, StructuralCheck
 from freecad_ortho.structural.diagram_pictures import diagram_picture
 from freecad_ortho.structural.diagrams import FORCES, drawn_combination, forces_along
 from freecad_ortho.structural.pictures import frame_picture
@@ -109,7 +109,7 @@ def _figure(picture: str, words: str) -> str:
     return f"<figure>{picture}<figcaption>{escape(words)}</figcaption></figure>"
 
 
-def _deflected(check: StructuralCheck, found: Found) -> str:
+def _deflected(check: StructuralCheck, found: CombinationResult) -> str:
     shape = found.response.displacements[:, :3]
     return _shape(check, shape, f"Deflected shape, {found.combination.name}", "mm")
 

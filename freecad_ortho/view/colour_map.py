@@ -24,7 +24,7 @@ _SLOW = (
 
 
 @dataclass(frozen=True)
-class Range:
+class ColourRange:
     """What the user set of a colour map.
 
     Attributes:
@@ -72,7 +72,7 @@ def plain(mesh: QuadMesh, colour: tuple[float, ...]) -> Painting:
 def painting(
     mesh: QuadMesh,
     name: str,
-    chosen: Range,
+    chosen: ColourRange,
     colour: tuple[float, ...],
     reference: TriangleSurface | None = None,
 ) -> Painting:
@@ -100,7 +100,7 @@ def painting(
     return Painting(colours * shading(mesh.face_normals)[:, None], None, False, scale, note)
 
 
-def _scale(values: Field, chosen: Range) -> ColourScale:
+def _scale(values: Field, chosen: ColourRange) -> ColourScale:
     if values.decades:
         return ColourScale.of_decades(*chosen.decades)
     if chosen.automatic:

@@ -15,7 +15,7 @@ from freecad_ortho.objects.net import colour_field
 from freecad_ortho.objects.properties import Stateless, ensure
 from freecad_ortho.resources import icon
 from freecad_ortho.view import legends, scene
-from freecad_ortho.view.colour_map import Painting, Range, is_quick, painting, plain
+from freecad_ortho.view.colour_map import ColourRange, Painting, is_quick, painting, plain
 from freecad_ortho.view.legend import Legend
 from freecad_ortho.view.net_properties import PROPERTIES
 from freecad_ortho.view.overlay_shapes import OVERLAYS
@@ -274,7 +274,7 @@ class NetView(Stateless):
         if name == "None":
             return plain(mesh, view.FaceColor)
         decades = (view.LowestDecade, view.HighestDecade)
-        chosen = Range(view.AutomaticRange, view.LowestValue, view.HighestValue, decades)
+        chosen = ColourRange(view.AutomaticRange, view.LowestValue, view.HighestValue, decades)
         try:
             reference = reference_surface(self.Object, mesh) if name == _GAP else None
             if reference is not None and self._origin.far:

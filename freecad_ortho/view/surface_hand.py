@@ -20,7 +20,7 @@ _NEAR, _STILL, _STEP = 10.0, 3.0, 8.0
 _HELD, _LINE = (0.84, 0.15, 0.16), (0.10, 0.52, 0.30)
 
 
-class Listener(Protocol):
+class HandListener(Protocol):
     """Who is told what the mouse has done."""
 
     def dropped(self, number: int, place: FloatArray, reach: float) -> None:
@@ -52,7 +52,7 @@ class SurfaceHand:
         self,
         view: Any,
         surface: TriangleSurface,
-        listener: Listener,
+        listener: HandListener,
         stands: FreeCAD.Placement,
     ) -> None:
         self.points: FloatArray = np.zeros((0, 3))

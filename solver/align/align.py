@@ -17,7 +17,7 @@ from solver.align.cells import Quads, quads
 from solver.align.crosses import Crosses, Singular
 from solver.align.cut import cut_open
 from solver.align.features import Features
-from solver.align.field import Field, GuidingField, smooth_field
+from solver.align.field import DirectionField, GuidingField, smooth_field
 from solver.align.given import Wanted, given_field
 from solver.align.guides import (
     along_features,
@@ -248,11 +248,11 @@ class _Asked:
         wanted = None if singular is None else Wanted.of(work, singular, edge, bound)
         return cls(work, guide, features, edges, wanted, mirrors)
 
-    def automatic(self, calm: float, step: Callable[[], object]) -> Field:
+    def automatic(self, calm: float, step: Callable[[], object]) -> DirectionField:
         """The directions along a part of the guide, singular where they have to be."""
         return smooth_field(self.work.mesh, self.guide.calmed(calm), self.edges[0], step)
 
-    def field(self, calm: float, automatic: Field) -> Field:
+    def field(self, calm: float, automatic: DirectionField) -> DirectionField:
         """The directions, singular where they are asked to be."""
         if self.singular is None:
             return automatic
@@ -260,16 +260,16 @@ class _Asked:
         mesh, edge = self.work.mesh, self.edges[0]
         return given_field(mesh, self.guide, calm, edge, automatic, quarters)
 
-    def misfit(self, automatic: Field) -> str:
+    def misfit(self, automatic: DirectionField) -> str:
         """Why it cannot be singular as it is asked to be."""
         return "" if self.singular is None else self.singular.misfit(automatic)
 
 
 @dataclass(frozen=True, eq=False)
-class _Attempt:
+class _Trial:
     """A net of one map, and how many of its faces are folded; or why there is none."""
 
-    field: Field
+    field: DirectionField
     close: bool
     mesh: QuadMesh | None = None
     folded: int = 0
@@ -284,16 +284,16 @@ class _Attempt:
 
 def _mapped(
     asked: _Asked, waiting: Callable[[str], object], remarks: list[str]
-) -> tuple[QuadMesh, Field]:
+) -> tuple[QuadMesh, DirectionField]:
     """The quads of a map along the guide, as closely as lines do not run into each other."""
-    best: _Attempt | None = None
+    best: _Trial | None = None
     refusal = ""
-    for attempt in _attempts(asked, waiting):
-        if attempt.mesh is not None and (best is None or attempt.faults < best.faults):
-            best = attempt
+    for trial in _trials(asked, waiting):
+        if trial.mesh is not None and (best is None or trial.faults < best.faults):
+            best = trial
         if best is not None and not any(best.faults):
             break
-        refusal = refusal or attempt.refusal
+        refusal = refusal or trial.refusal
     if best is None or best.mesh is None:
         raise InputError(refusal)
     if not best.close:
@@ -314,7 +314,7 @@ def _said_folded(count: int) -> Sentence:
     return Sentence("{} faces are folded; give a shorter edge, or smooth the surface there", count)
 
 
-def _attempts(asked: _Asked, waiting: Callable[[str], object]) -> Iterator[_Attempt]:
+def _trials(asked: _Asked, waiting: Callable[[str], object]) -> Iterator[_Trial]:
     """Nets that follow the guide less and less."""
     work, mesh, edges = asked.work, asked.work.mesh, asked.edges
     for calm in _CALM:
@@ -322,7 +322,7 @@ def _attempts(asked: _Asked, waiting: Callable[[str], object]) -> Iterator[_Atte
         field = asked.automatic(calm, lambda: waiting("directions"))
         misfit = asked.misfit(field)
         if misfit:
-            yield _Attempt(field, False, refusal=misfit)
+            yield _Trial(field, False, refusal=misfit)
             continue
         field = asked.field(calm, field)
         cut = cut_open(mesh, field)
@@ -346,7 +346,7 @@ def _attempts(asked: _Asked, waiting: Callable[[str], object]) -> Iterator[_Atte
                 crossing = _crossing(found)
             if crossing is not None:
                 refusal = f"map: lines run into each other near {_at(crossing)}; {_REMEDY}"
-                yield _Attempt(field, close, refusal=refusal)
+                yield _Trial(field, close, refusal=refusal)
                 continue
             places = carried_on(mesh, cut, made, found)
             try:
@@ -354,15 +354,15 @@ def _attempts(asked: _Asked, waiting: Callable[[str], object]) -> Iterator[_Atte
             except InputError as error:
                 where = mesh.centres[made.folded[0]] if len(made.folded) else places.mean(axis=0)
                 refusal = f"map: it folds near {_at(where)} ({error}); {_REMEDY}"
-                yield _Attempt(field, close, refusal=refusal)
+                yield _Trial(field, close, refusal=refusal)
                 continue
             try:
                 net = symmetric_net(net, asked.mirrors, edges[0])
             except InputError as error:
-                yield _Attempt(field, close, refusal=str(error))
+                yield _Trial(field, close, refusal=str(error))
                 continue
             bunched = short_edges(net) < BUNCHED * min(edges)
-            yield _Attempt(field, close, net, int(flipped(net).sum()), bunched)
+            yield _Trial(field, close, net, int(flipped(net).sum()), bunched)
             if bunched:
                 # Lines are drawn together by their directions: others have to be smoother.
                 break

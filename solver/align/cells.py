@@ -53,7 +53,7 @@ class Quads:
 
 
 @dataclass(frozen=True, eq=False)
-class Pieces:
+class CellPieces:
     """Which triangle meets which cell.
 
     Attributes:
@@ -66,7 +66,7 @@ class Pieces:
     cells: IntArray
 
     @classmethod
-    def of(cls, corners: IntArray) -> Pieces:
+    def of(cls, corners: IntArray) -> CellPieces:
         """Cut the images of triangles by the whole lines."""
         low, high = corners.min(axis=1), corners.max(axis=1)
         triangle, cell = _cells_between(low // GRID, -(-high // GRID))
@@ -76,9 +76,9 @@ class Pieces:
         met = (sides.max(axis=1) > 0).all(axis=1)
         return cls(corners, triangle[met], cell[met])
 
-    def some(self, kept: BoolArray) -> Pieces:
+    def some(self, kept: BoolArray) -> CellPieces:
         """Only the pieces of a mask."""
-        return Pieces(self.corners, self.triangles[kept], self.cells[kept])
+        return CellPieces(self.corners, self.triangles[kept], self.cells[kept])
 
     @cached_property
     def _sorted(self) -> tuple[IntArray, IntArray]:
@@ -133,7 +133,7 @@ def quads(mesh: TriangleMesh, cut: Cut, made: Map, covered: int) -> Quads:
         made: the map.
         covered: how many of the triangles are to be covered.
     """
-    pieces = Pieces.of(made.corners)
+    pieces = CellPieces.of(made.corners)
     label = _over_edges(mesh, cut, pieces, _Joins(len(pieces.triangles)))
     own = np.zeros(label.max() + 1, dtype=bool)
     own[label[pieces.triangles < covered]] = True
@@ -193,7 +193,7 @@ def transitions(mesh: TriangleMesh, cut: Cut, corners: IntArray) -> IntArray:
     return shift
 
 
-def _over_edges(mesh: TriangleMesh, cut: Cut, pieces: Pieces, joins: _Joins) -> IntArray:
+def _over_edges(mesh: TriangleMesh, cut: Cut, pieces: CellPieces, joins: _Joins) -> IntArray:
     """Join pieces of one cell at both sides of an edge; return the (P,) quad of each piece."""
     corners = pieces.corners
     one, two = mesh.edges.T
@@ -221,7 +221,7 @@ def _across(cells: IntArray, turns: IntArray, shift: IntArray) -> IntArray:
 
 
 def _along_lines(
-    pieces: Pieces,
+    pieces: CellPieces,
     joins: _Joins,
     triangles: tuple[IntArray, IntArray],
     ends: tuple[IntArray, IntArray],
@@ -256,7 +256,7 @@ def _along_lines(
                 joins.add(4 * one[both] + p, 4 * two[both] + (q + turns[edge][both]) % 4)
 
 
-def _over_lines(pieces: Pieces, joins: _Joins) -> None:
+def _over_lines(pieces: CellPieces, joins: _Joins) -> None:
     """Join pieces of neighbouring cells within a triangle."""
     low, high = pieces.corners.min(axis=1), pieces.corners.max(axis=1)
     for axis, here, there in ((0, (1, 2), (0, 3)), (1, (3, 2), (0, 1))):
@@ -302,7 +302,7 @@ def _over_slits(label: IntArray, rim: BoolArray, joins: _Joins) -> tuple[IntArra
 
 
 def _placed(
-    mesh: TriangleMesh, pieces: Pieces, vertices: IntArray, faces: IntArray, joined: int
+    mesh: TriangleMesh, pieces: CellPieces, vertices: IntArray, faces: IntArray, joined: int
 ) -> Quads:
     """Where the vertices of faces are, from the triangle that has them most surely."""
     area = _doubled(pieces.corners)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from solver.align.field import QUARTER, Field, GuidingField
+from solver.align.field import QUARTER, DirectionField, GuidingField
 from solver.align.triangle_mesh import TriangleMesh
 from solver.errors import InputError
 from solver.mesh.connectivity import IntArray
@@ -31,7 +31,7 @@ class Crosses:
     certainty: FloatArray
 
     @classmethod
-    def of(cls, mesh: TriangleMesh, field: Field, guide: GuidingField) -> Crosses:
+    def of(cls, mesh: TriangleMesh, field: DirectionField, guide: GuidingField) -> Crosses:
         """One in each of the surface's own triangles."""
         inner = guide.inner
         angles = field.angles[:inner, None] + [0.0, QUARTER]
@@ -66,7 +66,7 @@ class Singular:
     valences: IntArray
 
     @classmethod
-    def of(cls, mesh: TriangleMesh, field: Field, guide: GuidingField) -> Singular:
+    def of(cls, mesh: TriangleMesh, field: DirectionField, guide: GuidingField) -> Singular:
         """Those of a field, on the surface itself."""
         own = np.zeros(len(mesh.points), dtype=bool)
         own[mesh.triangles[: guide.inner]] = True

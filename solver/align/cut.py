@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from solver.align.field import QUARTER, Field, turns
+from solver.align.field import QUARTER, DirectionField, turns
 from solver.align.triangle_mesh import TriangleMesh, spanning
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray
@@ -32,7 +32,7 @@ class Cut:
     turns: IntArray
 
 
-def cut_open(mesh: TriangleMesh, field: Field) -> Cut:
+def cut_open(mesh: TriangleMesh, field: DirectionField) -> Cut:
     """Comb a field along a tree of triangles and keep what has to be cut."""
     turned, crossed = _combed(mesh, turns(mesh, field.angles)[0])
     angles = field.angles + turned * QUARTER

@@ -69,7 +69,7 @@ class GuidingField:
 
 
 @dataclass(frozen=True, eq=False)
-class Field:
+class DirectionField:
     """Directions, and where they cannot be continued.
 
     Attributes:
@@ -126,7 +126,7 @@ def asymptotic_skew(tensors: FloatArray) -> FloatArray:
 
 def smooth_field(
     mesh: TriangleMesh, guide: GuidingField, edge: float, step: Callable[[], object] = lambda: None
-) -> Field:
+) -> DirectionField:
     """Find the smooth field near the guide, with the fewest singular vertices that it needs.
 
     The guide is made to count less round singular vertices, further and further; what has fewer is
@@ -165,14 +165,14 @@ def smooth_field(
     return field
 
 
-def _strayed(mesh: TriangleMesh, guide: GuidingField, field: Field) -> float:
+def _strayed(mesh: TriangleMesh, guide: GuidingField, field: DirectionField) -> float:
     """How far a field leaves its guide where that is certain: 0 not, 1 as any other field."""
     weight = (guide.certainty * mesh.areas)[: guide.inner]
     apart = 1 - np.cos(4 * (field.angles - guide.angles)[: guide.inner])
     return float((weight * apart).sum() / weight.sum())
 
 
-def _worth(mesh: TriangleMesh, field: Field, edge: float) -> tuple[int, float]:
+def _worth(mesh: TriangleMesh, field: DirectionField, edge: float) -> tuple[int, float]:
     """Number of singular vertices, and by how many edges two of them are too near to each other."""
     singular = mesh.points[field.quarters != 0]
     if len(singular) < 2:
@@ -208,7 +208,9 @@ def _carried(mesh: TriangleMesh) -> FloatArray:
     return carried
 
 
-def _solved(mesh: TriangleMesh, angles: FloatArray, certainty: FloatArray, edge: float) -> Field:
+def _solved(
+    mesh: TriangleMesh, angles: FloatArray, certainty: FloatArray, edge: float
+) -> DirectionField:
     first, second = (mesh.edges // 3).T
     weight, carried = smoothness(mesh), np.exp(4j * _carried(mesh))
     held = np.maximum(certainty, _WHISPER) * mesh.areas / edge**2
@@ -224,7 +226,7 @@ def _solved(mesh: TriangleMesh, angles: FloatArray, certainty: FloatArray, edge:
         options={"SymmetricMode": True},
     )
     found = np.angle(factors.solve(held * np.exp(4j * angles))) / 4
-    return Field(found, quarters_of(mesh, found))
+    return DirectionField(found, quarters_of(mesh, found))
 
 
 def smoothness(mesh: TriangleMesh) -> FloatArray:

@@ -19,7 +19,7 @@ from scipy.sparse.linalg import splu
 from scipy.spatial import cKDTree
 
 from solver.align.crosses import VALENCES, Singular
-from solver.align.field import QUARTER, Field, GuidingField, quarters_of, smoothness, turns
+from solver.align.field import QUARTER, DirectionField, GuidingField, quarters_of, smoothness, turns
 from solver.align.prepare import Work
 from solver.align.triangle_mesh import TriangleMesh, components, spanning
 from solver.errors import InputError
@@ -88,7 +88,7 @@ class Wanted:
             )
         return cls(given, own, bool(bound.any()))
 
-    def misfit(self, automatic: Field) -> str:
+    def misfit(self, automatic: DirectionField) -> str:
         """What is wrong if a net that follows the border cannot have these, in a sentence."""
         there, needed = int(self.given.sum()), int(automatic.quarters[self.own].sum())
         if not self.bound or there == needed:
@@ -100,7 +100,7 @@ class Wanted:
             f"lines, or leave out as many with {lines[1]}"
         )
 
-    def quarters(self, automatic: Field) -> IntArray:
+    def quarters(self, automatic: DirectionField) -> IntArray:
         """(V,) by how many quarter turns a field is to miss itself; beyond the border as it did."""
         return np.where(self.own, self.given, automatic.quarters)
 
@@ -135,9 +135,9 @@ def given_field(
     guide: GuidingField,
     calm: float,
     edge: float,
-    automatic: Field,
+    automatic: DirectionField,
     quarters: IntArray,
-) -> Field:
+) -> DirectionField:
     """The field with given singular vertices that is nearest to a smooth one with its own.
 
     Args:
@@ -168,7 +168,7 @@ def given_field(
         angles = _towards(mesh, guide.calmed(calm), plain, heeded, bound, weight, edge)
         found = quarters_of(mesh, angles)
         if (found == quarters).all():
-            return Field(angles, found)
+            return DirectionField(angles, found)
     where = mesh.points[np.flatnonzero(found != quarters)[0]]
     raise InputError(
         f"singularities: the triangles near {_at(where)} are too coarse to turn so much there; "

@@ -19,7 +19,7 @@ from scipy.sparse import coo_array, csr_array, diags_array, eye_array, hstack, v
 
 from solver.align.cut import Cut
 from solver.align.features import Features
-from solver.align.seams import Seams
+from solver.align.seams import SeamMap
 from solver.align.triangle_mesh import TriangleMesh
 from solver.align.whole_lines import WholeLines
 from solver.linear.definite import DefiniteSolver
@@ -66,7 +66,7 @@ class Map:
 def seamless_map(
     mesh: TriangleMesh,
     cut: Cut,
-    layout: Seams,
+    layout: SeamMap,
     certainty: FloatArray,
     edges: tuple[float, float],
     covered: int,
@@ -133,7 +133,7 @@ def _doubled_areas(corners: IntArray) -> FloatArray:
     return (one[:, 0] * two[:, 1] - one[:, 1] * two[:, 0]).astype(float)
 
 
-def _on_grid(layout: Seams, unknowns: FloatArray, whole: WholeLines | None) -> IntArray:
+def _on_grid(layout: SeamMap, unknowns: FloatArray, whole: WholeLines | None) -> IntArray:
     rounded = np.round(unknowns[: layout.matrix.shape[1]] * GRID)
     if whole is not None:
         whole.snapped(layout.matrix, layout.reals, rounded, GRID)
@@ -170,7 +170,7 @@ class _Equations:
         self,
         mesh: TriangleMesh,
         cut: Cut,
-        layout: Seams,
+        layout: SeamMap,
         whole: WholeLines,
         edges: tuple[float, float],
         skew: FloatArray | None,
@@ -243,7 +243,7 @@ class _Equations:
         return self._solver.factor(normal), weight
 
 
-def _slopes(mesh: TriangleMesh, cut: Cut, layout: Seams, skew: FloatArray | None) -> csr_array:
+def _slopes(mesh: TriangleMesh, cut: Cut, layout: SeamMap, skew: FloatArray | None) -> csr_array:
     """(4 T, unknowns) slope of u along it and of v across it; of u across it and of v along it."""
     gradients, count = mesh.gradients(), len(mesh.triangles)
     along = np.stack([np.cos(cut.angles), np.sin(cut.angles)], axis=1)

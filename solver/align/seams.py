@@ -27,7 +27,7 @@ Sum = dict[int, IntArray]
 
 
 @dataclass(frozen=True, eq=False)
-class Seams:
+class SeamMap:
     """Coordinates of corners from unknowns.
 
     Attributes:
@@ -51,7 +51,7 @@ class Seams:
         return len(self.vertices)
 
 
-def seams(mesh: TriangleMesh, cut: Cut, singular: BoolArray) -> Seams:
+def seams(mesh: TriangleMesh, cut: Cut, singular: BoolArray) -> SeamMap:
     """Lay out the unknowns of a map.
 
     Args:
@@ -80,7 +80,7 @@ def seams(mesh: TriangleMesh, cut: Cut, singular: BoolArray) -> Seams:
             rules |= {copy: (vertex, *rule) for copy, rule in found.items()}
     wholes = len(shifts) + len(places)
     matrix, vertices = _matrix(mesh, copies, rules, number, wholes)
-    return Seams(copies, matrix, vertices, wholes, list(number.values()))
+    return SeamMap(copies, matrix, vertices, wholes, list(number.values()))
 
 
 def _copies(mesh: TriangleMesh, cut: Cut) -> IntArray:

@@ -10,7 +10,7 @@ from scipy.sparse import csr_array, vstack
 from solver.align.cut import Cut
 from solver.align.features import Features
 from solver.align.field import QUARTER
-from solver.align.seams import Seams
+from solver.align.seams import SeamMap
 from solver.align.triangle_mesh import TriangleMesh, components, following
 from solver.mesh.connectivity import IntArray
 
@@ -37,7 +37,7 @@ class WholeLines:
         return cls(empty, empty, 0)
 
     @classmethod
-    def along(cls, mesh: TriangleMesh, cut: Cut, layout: Seams, features: Features) -> WholeLines:
+    def along(cls, mesh: TriangleMesh, cut: Cut, layout: SeamMap, features: Features) -> WholeLines:
         """Runs of feature lines.
 
         Along an edge that runs with u it is v that stays the same.

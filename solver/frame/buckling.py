@@ -12,7 +12,7 @@ from scipy.sparse.linalg import ArpackNoConvergence, LinearOperator, eigsh
 from solver.errors import OrthoError
 from solver.frame import elements
 from solver.frame.response import Response
-from solver.frame.system import System, negative_pivots
+from solver.frame.system import FrameSystem, negative_pivots
 from solver.mesh.quadmesh import FloatArray
 
 # Up to so many unknowns all modes are found at once.
@@ -37,7 +37,7 @@ class Buckling:
     shapes: FloatArray
 
 
-def buckling(system: System, under: Response, count: int = 5) -> Buckling:
+def buckling(system: FrameSystem, under: Response, count: int = 5) -> Buckling:
     """The first modes of buckling under a load.
 
     Members buckle between their nodes as well where they are divided.
@@ -75,7 +75,7 @@ def buckling(system: System, under: Response, count: int = 5) -> Buckling:
     return Buckling(1.0 / values[order], own / np.where(largest > 0, largest, 1)[:, None, None])
 
 
-def _largest(system: System, loose: csc_array, count: int) -> tuple[FloatArray, FloatArray]:
+def _largest(system: FrameSystem, loose: csc_array, count: int) -> tuple[FloatArray, FloatArray]:
     """Largest values m of loose v = m K v, one over the factors, and their vectors.
 
     The method of Lanczos can pass over one of two modes alike, so the factors below the last one
@@ -107,7 +107,7 @@ def _largest(system: System, loose: csc_array, count: int) -> tuple[FloatArray, 
     )
 
 
-def _complete(system: System, loose: csc_array, values: FloatArray, count: int) -> bool:
+def _complete(system: FrameSystem, loose: csc_array, values: FloatArray, count: int) -> bool:
     """Whether no mode was passed over: as many pivots are negative as factors are below.
 
     Source: Sylvester's law of inertia, as in Bathe (1996), Finite Element Procedures, 11.6.4.

@@ -8,7 +8,7 @@ import numpy as np
 
 from solver.frame import elements
 from solver.frame.model import Frame, Loads
-from solver.frame.system import System
+from solver.frame.system import FrameSystem
 from solver.mesh.quadmesh import FloatArray
 
 
@@ -62,7 +62,7 @@ class Response:
         )
 
 
-def at_nodes(system: System, loads: Loads) -> tuple[FloatArray, FloatArray]:
+def at_nodes(system: FrameSystem, loads: Loads) -> tuple[FloatArray, FloatArray]:
     """Forces (6 N,) on the nodes in the directions of supports, and (M, 12) those of the spread.
 
     Raises:
@@ -76,7 +76,7 @@ def at_nodes(system: System, loads: Loads) -> tuple[FloatArray, FloatArray]:
     return nodal.ravel() + system.gathered(ends), ends
 
 
-def response(system: System, loads: Loads) -> Response:
+def response(system: FrameSystem, loads: Loads) -> Response:
     """Linear response to a load.
 
     Args:

@@ -13,7 +13,7 @@ from solver.frame import corotational
 from solver.frame.corotational import Ends
 from solver.frame.model import Frame, Loads
 from solver.frame.response import Response, at_nodes
-from solver.frame.system import System, factored, turns
+from solver.frame.system import FrameSystem, factored, turns
 from solver.mesh.quadmesh import FloatArray
 
 # Most Newton steps of a load, what is left of it at the end, and the smallest part of it that is
@@ -37,7 +37,7 @@ class SecondOrder:
 
 
 @dataclass(frozen=True, eq=False)
-class Path:
+class EquilibriumPath:
     """States of balance one after the other.
 
     Attributes:
@@ -73,7 +73,7 @@ def imperfect(frame: Frame, shape: FloatArray, size: float) -> Frame:
     return replace(frame, nodes=frame.nodes + size * shape[:, :3])
 
 
-def second_order(system: System, loads: Loads) -> SecondOrder:
+def second_order(system: FrameSystem, loads: Loads) -> SecondOrder:
     """Response with balance in the deformed shape, by Newton's method.
 
     Loads keep their directions. Where not all of the load can be carried, what can is returned,
@@ -99,7 +99,7 @@ def second_order(system: System, loads: Loads) -> SecondOrder:
     return SecondOrder(moving.response(done), done)
 
 
-def followed(system: System, loads: Loads, steps: int, first: float) -> Path:
+def followed(system: FrameSystem, loads: Loads, steps: int, first: float) -> EquilibriumPath:
     """States of balance along the path of a load that grows from zero, past its limit.
 
     Args:
@@ -132,7 +132,7 @@ def followed(system: System, loads: Loads, steps: int, first: float) -> Path:
         size = float(np.copysign(size, (moving.scale**2 * ahead) @ way))
         way = size * ahead
         factor = now + size
-    return Path(np.array(factors), np.array(shapes))
+    return EquilibriumPath(np.array(factors), np.array(shapes))
 
 
 class _Moving:
@@ -143,7 +143,7 @@ class _Moving:
         scale: (n,) to compare displacements and turns.
     """
 
-    def __init__(self, system: System, loads: Loads) -> None:
+    def __init__(self, system: FrameSystem, loads: Loads) -> None:
         frame = system.frame
         self._system = system
         self._load, self._given = at_nodes(system, loads)

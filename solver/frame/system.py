@@ -22,7 +22,7 @@ _MOVES, _NAMED = 0.3, 8
 _REPEATS = 4
 
 
-class System:
+class FrameSystem:
     """Stiffness of a supported frame, factored.
 
     Args:

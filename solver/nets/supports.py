@@ -38,7 +38,7 @@ SUPPORTS = Option(
 
 
 @dataclass(frozen=True, eq=False)
-class Supports:
+class NetSupports:
     """Vertices that a net stands on, and those that keep every bit.
 
     Supports slide: a rib that ends on an edge beam may end beside where it was drawn, which leaves
@@ -73,7 +73,7 @@ class Supports:
 
     def on_surface(
         self, mesh: QuadMesh, points: FloatArray, triangles: IntArray
-    ) -> tuple[Supports, SurfaceGlide]:
+    ) -> tuple[NetSupports, SurfaceGlide]:
         """Supports that slide on a surface, where the border of the net is only where it ends.
 
         A net that overhangs the border of its surface is cut there, and stands on what runs along
@@ -89,7 +89,7 @@ class Supports:
         """
         fixed = self.fixed & ~self.corners
         loose = np.flatnonzero(self.standing & ~fixed & mesh.connectivity.boundary_vertices)
-        free = Supports(self.standing, fixed, np.zeros_like(fixed))
+        free = NetSupports(self.standing, fixed, np.zeros_like(fixed))
         return free, SurfaceGlide(points, triangles, loose)
 
     def glides(self, mesh: QuadMesh, wanted: Constraints) -> tuple[Glide, ...]:
@@ -113,7 +113,7 @@ def supports_of(
     net: Net,
     fix: str | Sequence[int | str],
     supports: str | Sequence[int | str] = "",
-) -> Supports:
+) -> NetSupports:
     """Tell what a net stands on.
 
     What is fixed is supported too. ``boundary`` slides along its own curve, but for corners; other
@@ -134,16 +134,16 @@ def supports_of(
     if net.supports == "none":
         if named:
             raise InputError(f"supports: {net.name} nets carry no loads; fix vertices instead")
-        return Supports(fixed, fixed, none)
+        return NetSupports(fixed, fixed, none)
     if not named and isinstance(fix, str) and fix.strip().lower() == "none":
         named = net.supports
     if not named:
-        return Supports(fixed, fixed, none)
+        return NetSupports(fixed, fixed, none)
     standing = fixed_vertices(mesh, named) | fixed
     words = named.split(",") if isinstance(named, str) else named
     stays = [word for word in words if str(word).strip().lower() != "boundary"]
     fixed = fixed | fixed_vertices(mesh, stays)
     if len(stays) == len(words):
-        return Supports(standing, fixed, none)
+        return NetSupports(standing, fixed, none)
     corners = standing & mesh.connectivity.corners & ~fixed
-    return Supports(standing, fixed | corners, corners)
+    return NetSupports(standing, fixed | corners, corners)

@@ -9,7 +9,7 @@ import pytest
 
 from freecad_ortho import api
 from freecad_ortho.cli.commands import run
-from freecad_ortho.fabrication.tolerances import Beams, Tolerances, bolted, held_nodes
+from freecad_ortho.fabrication.tolerances import BeamRows, Tolerances, bolted, held_nodes
 from solver.errors import InputError
 
 SETTINGS = Tolerances(trials=4000, seed=7)
@@ -20,7 +20,7 @@ def chain(count, ends=()):
     """Beams in a row from node 0, upright, and further ones."""
     pairs = np.array([(k, k + 1) for k in range(count)] + list(ends))
     frame = np.tile(np.eye(3), (len(pairs), 1, 1))
-    return Beams(pairs, np.full(len(pairs), LENGTH), frame)
+    return BeamRows(pairs, np.full(len(pairs), LENGTH), frame)
 
 
 def held(count, *nodes):
@@ -56,7 +56,7 @@ def test_a_node_between_two_beams_lands_half_way_and_both_miss_by_the_rest():
 
 
 def test_everything_is_proportional_to_the_tolerance(roof):
-    beams, where = Beams.of(roof), held_nodes(roof, None)
+    beams, where = BeamRows.of(roof), held_nodes(roof, None)
     few = replace(SETTINGS, trials=60)
     once = bolted(beams, where, few)
     twice = bolted(beams, where, replace(few, tolerance=1.0))

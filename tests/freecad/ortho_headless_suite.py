@@ -12,7 +12,7 @@ from ortho_suite_cases import DocumentCase
 
 from freecad_ortho import api, convert
 from freecad_ortho.commands import open_file
-from freecad_ortho.objects.net import VERSION, Net
+from freecad_ortho.objects.net import VERSION, NetProxy
 from solver.errors import InputError, OutputError
 from solver.io.polygons import READERS, WRITERS
 
@@ -44,7 +44,7 @@ class TestNet(DocumentCase):
         self.assertEqual(list(again.Faces), faces)
         self.assertEqual(again.ColourMap, "Orthogonality")
         self.assertEqual(json.loads(again.LastReport), {"net": "principal"})
-        self.assertIsInstance(again.Proxy, Net)
+        self.assertIsInstance(again.Proxy, NetProxy)
 
     def test_migration_adds_what_is_missing_and_nothing_twice(self):
         net = self.imported()

@@ -16,7 +16,7 @@ from freecad_ortho.structural.model import model_of
 from freecad_ortho.structural.words import assumptions
 from solver.errors import InputError
 from solver.frame.response import imbalance, response
-from solver.frame.system import System
+from solver.frame.system import FrameSystem
 from solver.mesh.primitives import primitive
 
 SECTION = "tube:100x60x5"
@@ -37,7 +37,7 @@ def flat(count, across, length, width):
 
 def moved(mesh, **settings):
     model = model_of(mesh, Design.of({"section": SECTION, "self_weight": False} | settings))
-    return model, response(System(model.frame, model.supports), model.cases[0].loads)
+    return model, response(FrameSystem(model.frame, model.supports), model.cases[0].loads)
 
 
 @pytest.mark.parametrize("height", [40.0, -25.0])
@@ -117,7 +117,7 @@ def test_layers_that_nearly_touch_are_in_balance_too(dome):
     settings = {"section": "plate:12x120", "snow": 1.0, "layers": 0.1, "crossings": "hinged"}
     model = model_of(dome, Design.of(settings))
     loads = model.cases[1].loads
-    found = response(System(model.frame, model.supports), loads)
+    found = response(FrameSystem(model.frame, model.supports), loads)
     assert imbalance(model.frame, loads, found.reactions) < 1e-9
 
 

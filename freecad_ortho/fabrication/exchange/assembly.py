@@ -16,7 +16,7 @@ from pathlib import Path
 
 import numpy as np
 
-from freecad_ortho.fabrication.exchange.assembly_page import Arm, assembly_page
+from freecad_ortho.fabrication.exchange.assembly_page import NodeArm, assembly_page
 from freecad_ortho.fabrication.exchange.facets import facets
 from freecad_ortho.fabrication.part import Part, part_names
 from freecad_ortho.fabrication.production import Production
@@ -49,7 +49,7 @@ _TRADES = {
 
 
 @dataclass(frozen=True, eq=False)
-class Step:
+class AssemblyStep:
     """One part that is put up.
 
     Attributes:
@@ -156,7 +156,9 @@ def ranks_by_line(parts: Sequence[Part], site: Site, rings: Sequence[int]) -> li
     return found
 
 
-def sequence(parts: Sequence[Part], ranks: Sequence[Rank], rings: Sequence[int]) -> list[Step]:
+def sequence(
+    parts: Sequence[Part], ranks: Sequence[Rank], rings: Sequence[int]
+) -> list[AssemblyStep]:
     """The parts in the order of their ranks, but none before it stands on something.
 
     Args:
@@ -194,7 +196,7 @@ def sequence(parts: Sequence[Part], ranks: Sequence[Rank], rings: Sequence[int])
             continue
         beside = {k for vertex in parts[number].vertices for k in touching[vertex]}
         held = tuple(parts[k].name for k in sorted(beside & standing))
-        steps.append(Step(parts[number], held))
+        steps.append(AssemblyStep(parts[number], held))
         waiting.discard(number)
         standing.add(number)
         for other in carried[number]:
@@ -244,7 +246,7 @@ def _centres(parts: Sequence[Part], say: Callable[[float], None]) -> dict[str, F
 
 
 def _sequence(
-    steps: Sequence[Step],
+    steps: Sequence[AssemblyStep],
     production: Production,
     rings: Sequence[int],
     centres: dict[str, FloatArray],
@@ -296,11 +298,13 @@ def _book(production: Production, rings: Sequence[int]) -> list[list[object]]:
     return rows
 
 
-def _page(steps: Sequence[Step], production: Production, rings: Sequence[int], project: str) -> str:
+def _page(
+    steps: Sequence[AssemblyStep], production: Production, rings: Sequence[int], project: str
+) -> str:
     """Pictures of the steps ring by ring, and the node book."""
     order = [step.part for step in steps]
     stages = [max((rings[vertex] for vertex in part.vertices), default=0) for part in order]
-    book: dict[str, list[Arm]] = defaultdict(list)
+    book: dict[str, list[NodeArm]] = defaultdict(list)
     turn: dict[str, float] = defaultdict(float)
     for row in _book(production, rings):
         name, angle = str(row[0]), float(str(row[BOOK_COLUMNS.index("angle_deg")]))
@@ -308,7 +312,7 @@ def _page(steps: Sequence[Step], production: Production, rings: Sequence[int], p
         words = ", ".join(
             f"{part} {end}" for part, end in zip(parts.split(), ends.split(), strict=True)
         )
-        book[name].append(Arm(towards, words, turn[name]))
+        book[name].append(NodeArm(towards, words, turn[name]))
         turn[name] += angle
     return assembly_page(order, stages, [step.held for step in steps], list(book.items()), project)
 

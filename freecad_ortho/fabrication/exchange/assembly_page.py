@@ -45,7 +45,7 @@ _STYLE = f"""
 
 
 @dataclass(frozen=True, eq=False)
-class Arm:
+class NodeArm:
     """What leads away from a node.
 
     Attributes:
@@ -63,7 +63,7 @@ def assembly_page(
     order: Sequence[Part],
     stages: Sequence[int],
     held: Sequence[Sequence[str]],
-    book: Sequence[tuple[str, Sequence[Arm]]],
+    book: Sequence[tuple[str, Sequence[NodeArm]]],
     project: str,
 ) -> str:
     """The page as HTML; pictures are part of it.
@@ -178,7 +178,7 @@ def _shapes(order: Sequence[Part]) -> tuple[list[str], FloatArray, list[int], Fl
     return shapes, middles, behind, (high - low) * scale
 
 
-def _sketch(name: str, arms: Sequence[Arm]) -> str:
+def _sketch(name: str, arms: Sequence[NodeArm]) -> str:
     """A node from the tip of its axis."""
     drawn = []
     for arm in arms:

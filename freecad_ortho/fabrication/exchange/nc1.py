@@ -13,8 +13,13 @@ import unicodedata
 from collections.abc import Callable
 from pathlib import Path
 
-from freecad_ortho.fabrication.exchange.nc1_bars import Bar, bar_of
-from freecad_ortho.fabrication.exchange.nc1_faces import Contour, Mark, plate_contours, plate_marks
+from freecad_ortho.fabrication.exchange.nc1_bars import Nc1Bar, bar_of
+from freecad_ortho.fabrication.exchange.nc1_faces import (
+    Contour,
+    Nc1Mark,
+    plate_contours,
+    plate_marks,
+)
 from freecad_ortho.fabrication.nesting.sheet import file_words
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.production import Production
@@ -62,7 +67,7 @@ def _file(part: Part, production: Production, project: str) -> str | None:
     pattern = production.named_patterns[part.name]
     length, width = pattern.size.tolist()
     weight = part.material.mass(1e6 * part.thickness)
-    sheet = Bar(
+    sheet = Nc1Bar(
         f"PL{part.thickness:g}x{width:.1f}",
         "B",
         length,
@@ -76,7 +81,7 @@ def _file(part: Part, production: Production, project: str) -> str | None:
     return "\n".join([*lines, *_marks(plate_marks(part.name, pattern)), "EN\n"])
 
 
-def _head(part: Part, project: str, bar: Bar) -> list[str]:
+def _head(part: Part, project: str, bar: Nc1Bar) -> list[str]:
     """The block ST: what the part is and how its ends are cut."""
     texts = (project, part.name, f"{part.family}{part.line}" if part.family else "", part.name)
     found = [*texts, part.material.name, "1", bar.name, bar.code]
@@ -107,13 +112,13 @@ def _hole(centre: list[float], diameter: float) -> str:
     return f"  v{centre[0]:>12.3f}u{centre[1]:>12.3f}{diameter:>10.2f}{0:>10.2f}"
 
 
-def _name(part: Part, bar: Bar) -> list[str]:
+def _name(part: Part, bar: Nc1Bar) -> list[str]:
     """The name in the middle of the front."""
     height = min(10, max(1, int(bar.sizes[0] / 3)))
-    return _marks((Mark(part.name, bar.length / 2, bar.sizes[0] / 2, 0.0, height),))
+    return _marks((Nc1Mark(part.name, bar.length / 2, bar.sizes[0] / 2, 0.0, height),))
 
 
-def _marks(marks: tuple[Mark, ...]) -> list[str]:
+def _marks(marks: tuple[Nc1Mark, ...]) -> list[str]:
     lines = ["SI"] if marks else []
     for mark in marks:
         place = f"  v{mark.x:>12.3f}u{mark.y:>12.3f}{mark.angle_deg:>10.2f}{mark.height:>5d} "

@@ -27,7 +27,7 @@ _AROUND = 72
 
 
 @dataclass(frozen=True, eq=False)
-class Bar:
+class Nc1Bar:
     """What the head of a file says about a part, and its contours.
 
     Attributes:
@@ -49,7 +49,7 @@ class Bar:
     contours: tuple[Contour, ...] = ()
 
 
-def bar_of(part: Part) -> Bar | None:
+def bar_of(part: Part) -> Nc1Bar | None:
     """The bar that a part is, None for plates and for sections that NC1 has no code for."""
     member = member_of(part)
     if member is None or part.pattern is not None:
@@ -66,11 +66,11 @@ def bar_of(part: Part) -> Bar | None:
         per_metre = part.material.mass(1000 * area), 2 * (height + width) / 1000
         sizes = height, width, wall, wall, 0.0
         name = f"RHS{height:.1f}x{width:g}x{wall:g}"
-        return _with_cuts(Bar(name, "M", 0.0, sizes, per_metre, (0.0,) * 4), member)
+        return _with_cuts(Nc1Bar(name, "M", 0.0, sizes, per_metre, (0.0,) * 4), member)
     return None
 
 
-def _profiled(part: Part, section: Profile, member: Member) -> Bar | None:
+def _profiled(part: Part, section: Profile, member: Member) -> Nc1Bar | None:
     if not section.standard:
         # A polygon of one's own.
         return None
@@ -100,21 +100,21 @@ def _bar(
     flange: float,
     web: float,
     radius: float,
-) -> Bar:
+) -> Nc1Bar:
     width = 0.0 if code == "B" else section.width
     sizes = section.height, width, flange, web, radius
     per_metre = section.mass_per_metre(part.material), section.perimeter / 1000
-    return _with_cuts(Bar(section.name, code, 0.0, sizes, per_metre, (0.0,) * 4), member)
+    return _with_cuts(Nc1Bar(section.name, code, 0.0, sizes, per_metre, (0.0,) * 4), member)
 
 
-def _with_cuts(bar: Bar, member: Member) -> Bar:
+def _with_cuts(bar: Nc1Bar, member: Member) -> Nc1Bar:
     """The bar with its length and cuts: in its head where one plane cuts each end."""
     low, high = member.reach
     cuts = [[_turn(planes, column) for planes in (member.starts, member.ends)] for column in (1, 2)]
     contours: tuple[Contour, ...] = ()
     if len(member.starts) > 1 or len(member.ends) > 1:
         contours = _faces(bar, member)
-    return Bar(
+    return Nc1Bar(
         *(bar.name, bar.code, high - low, bar.sizes, bar.per_metre),
         (cuts[0][0], cuts[0][1], cuts[1][0], cuts[1][1]),
         contours,
@@ -126,7 +126,7 @@ def _turn(planes: FloatArray, column: int) -> float:
     return -float(np.degrees(np.arctan(planes[0, column]))) + 0.0 if len(planes) == 1 else 0.0
 
 
-def _faces(bar: Bar, member: Member) -> tuple[Contour, ...]:
+def _faces(bar: Nc1Bar, member: Member) -> tuple[Contour, ...]:
     """The contours of all faces of a section."""
     (low, left), (high, right) = member.low.tolist(), member.high.tolist()
     flange, web = bar.sizes[2], bar.sizes[3]

@@ -38,7 +38,7 @@ class Contour:
 
 
 @dataclass(frozen=True)
-class Mark:
+class Nc1Mark:
     """A text on the front, its lower left corner and height in mm."""
 
     text: str
@@ -78,7 +78,7 @@ def _bevels(start: FloatArray, end: FloatArray, thickness: float, pattern: FlatP
     return seen, behind
 
 
-def plate_marks(name: str, pattern: FlatPattern) -> tuple[Mark, ...]:
+def plate_marks(name: str, pattern: FlatPattern) -> tuple[Nc1Mark, ...]:
     """The name and the other texts, which the pattern has by their middles."""
     texts = [(name, pattern.label, pattern.label_size, pattern.label_angle)]
     texts += [
@@ -87,12 +87,12 @@ def plate_marks(name: str, pattern: FlatPattern) -> tuple[Mark, ...]:
     return tuple(_mark(*text) for text in texts)
 
 
-def _mark(text: str, middle: FloatArray, size: float, angle_deg: float) -> Mark:
+def _mark(text: str, middle: FloatArray, size: float, angle_deg: float) -> Nc1Mark:
     height = max(1, int(size))
     turn = np.radians(angle_deg)
     along, up = np.array([np.cos(turn), np.sin(turn)]), np.array([-np.sin(turn), np.cos(turn)])
     corner = middle - 0.5 * height * (0.8 * len(text) * along + up)
-    return Mark(text, float(corner[0]), float(corner[1]), angle_deg, height)
+    return Nc1Mark(text, float(corner[0]), float(corner[1]), angle_deg, height)
 
 
 def upright_face(

@@ -11,7 +11,7 @@ from freecad_ortho.fabrication.limits import OK
 from freecad_ortho.fabrication.part import Measures, Part, measure_words
 from freecad_ortho.fabrication.production import Production
 from freecad_ortho.fabrication.report.pictures import sheet_picture
-from freecad_ortho.fabrication.report.way import Way
+from freecad_ortho.fabrication.report.way import StagesBefore
 from freecad_ortho.fabrication.stock import Bar, bars_by_section
 from freecad_ortho.words import counted, plural
 
@@ -21,7 +21,7 @@ _ROWS, _PICTURES = 60, 24
 _NOTHING = 1e-9
 
 
-def way_to_it(way: Way) -> str:
+def way_to_it(way: StagesBefore) -> str:
     """How the net came to be: an item a stage, with what was asked and what came of it."""
     items = "".join(
         f"<li><b>{escape(stage.name)}</b> ({escape(stage.asked)}): {escape(stage.reached)}</li>"

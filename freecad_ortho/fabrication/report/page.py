@@ -38,7 +38,7 @@ from freecad_ortho.fabrication.report.pictures import (
     structure_view,
 )
 from freecad_ortho.fabrication.report.plots import histogram
-from freecad_ortho.fabrication.report.way import Way
+from freecad_ortho.fabrication.report.way import StagesBefore
 from freecad_ortho.words import counted
 
 STYLE = f"""
@@ -69,7 +69,7 @@ tr.bad td {{ background: #fbe9eb; }}
 def report_page(
     production: Production,
     project: str = "",
-    way: Way | None = None,
+    way: StagesBefore | None = None,
     check: Mapping[str, Any] | None = None,
 ) -> str:
     """Write the page; pictures and plots are part of it, so it works without a network.

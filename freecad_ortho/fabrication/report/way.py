@@ -16,7 +16,7 @@ class Stage(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Way:
+class StagesBefore:
     """The stages before the parts.
 
     Attributes:

@@ -30,7 +30,7 @@ _AREA = 1e-9
 _SQUARE = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
 
 
-class Stretch(NamedTuple):
+class SideStretch(NamedTuple):
     """A part of a side of a face, 0 at the side's first corner and 1 at its second."""
 
     side: int
@@ -50,10 +50,10 @@ class Cell:
 
     face: int
     polygon: shapely.Polygon | None
-    stretches: tuple[Stretch, ...]
+    stretches: tuple[SideStretch, ...]
 
 
-_WHOLE = tuple(Stretch(side, 0.0, 1.0) for side in range(4))
+_WHOLE = tuple(SideStretch(side, 0.0, 1.0) for side in range(4))
 
 
 def cells_of(count: int, course: Course) -> list[Cell]:
@@ -106,12 +106,12 @@ def _sides_along(line: FloatArray) -> IntArray:
     return np.where(both.min(axis=1) <= ON_SIDE, both.argmin(axis=1), -1)
 
 
-def _runs(line: FloatArray) -> Iterable[Stretch]:
+def _runs(line: FloatArray) -> Iterable[SideStretch]:
     """The stretches of a face's sides that a line (M, 2) runs along."""
     sides = _sides_along(line)
     for step in np.flatnonzero(sides >= 0).tolist():
         side = int(sides[step])
-        yield Stretch(side, *sorted(along_side(side, line[step + k]) for k in (0, 1)))
+        yield SideStretch(side, *sorted(along_side(side, line[step + k]) for k in (0, 1)))
 
 
 def _carried_on(line: FloatArray) -> FloatArray:
@@ -155,7 +155,7 @@ def _runs_along(net: Connectivity, course: Course) -> _Runs:
     return runs
 
 
-def _on_edge(net: Connectivity, face: int, stretch: Stretch) -> tuple[int, float, float]:
+def _on_edge(net: Connectivity, face: int, stretch: SideStretch) -> tuple[int, float, float]:
     """Edge of a stretch, and where on it the stretch begins and ends."""
     side, start, end = stretch
     first, second = net.faces[face, [side, (side + 1) % 4]]

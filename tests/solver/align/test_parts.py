@@ -9,7 +9,7 @@ from solver.align.apron import extended
 from solver.align.cells import quads
 from solver.align.cut import cut_open
 from solver.align.features import Features
-from solver.align.field import Field, curvature_guide, smooth_field, turns
+from solver.align.field import DirectionField, curvature_guide, smooth_field, turns
 from solver.align.jets import face_tensors, fitted
 from solver.align.reach import beyond, reaching
 from solver.align.refine import refined
@@ -166,7 +166,7 @@ def test_cells_of_a_plain_map_are_a_grid():
     angles = np.zeros(len(mesh.triangles))
     # Directions along x, in each triangle's frame; coordinates are the place over 2, and 0.3 more.
     east = np.arctan2(mesh.axes[:, 1, 0], mesh.axes[:, 0, 0])
-    cut = cut_open(mesh, Field(angles + east, np.zeros(len(mesh.points), dtype=int)))
+    cut = cut_open(mesh, DirectionField(angles + east, np.zeros(len(mesh.points), dtype=int)))
     assert not cut.edges.any()
     place = np.round((mesh.points[mesh.triangles][..., :2] / 2 + 0.3) * GRID).astype(np.int64)
     found = quads(mesh, cut, Map(place, np.array([], dtype=int)), len(mesh.triangles))

@@ -3,7 +3,7 @@
 import numpy as np
 
 from solver.frame.model import Frame, Loads, Stiffness, Supports, rigid_joints
-from solver.frame.system import System
+from solver.frame.system import FrameSystem
 
 AREA, ABOUT_Y, ABOUT_Z, TORSION = 1684.0, 2.2e6, 0.9e6, 2.0e6
 YOUNGS, SHEAR = 210e3, 81e3
@@ -48,7 +48,7 @@ def hinged(count, ends="both"):
 
 
 def system(built, held):
-    return System(built, Supports.at(len(built.nodes), held))
+    return FrameSystem(built, Supports.at(len(built.nodes), held))
 
 
 def dome(sides, radius, rise):

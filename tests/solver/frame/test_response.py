@@ -6,7 +6,7 @@ import pytest
 from solver.errors import InputError
 from solver.frame.model import Frame, Loads, Supports
 from solver.frame.response import imbalance, response
-from solver.frame.system import System
+from solver.frame.system import FrameSystem
 from tests.solver.frame import frames
 from tests.solver.frame.frames import ABOUT_Y, ABOUT_Z, AREA, RIGID, SHEAR, TORSION, YOUNGS
 
@@ -158,7 +158,7 @@ def test_a_support_slides_in_any_direction_and_springs_give_way():
     springs[1, 0] = 250.0
     loads = Loads.none(built)
     loads.nodal[1, :3] = 1e4 * along
-    found = response(System(built, Supports(fixed, springs, directions)), loads)
+    found = response(FrameSystem(built, Supports(fixed, springs, directions)), loads)
     moved = found.displacements[1, :3]
     assert abs(moved @ across) < 1e-12 * np.linalg.norm(moved)
     # The bar resists along x and z; the spring along the plane.
@@ -250,7 +250,7 @@ def test_a_moment_on_a_joint_that_turns_nothing_is_refused():
     springs[:, 9] = 0.0
     loads = Loads.none(built)
     loads.nodal[0, 5] = 1e5
-    standing = System(
+    standing = FrameSystem(
         Frame(built.nodes, built.members, built.stiffness, built.up, springs),
         Supports.at(7, {node: "x y z" for node in range(1, 7)}),
     )

@@ -11,7 +11,7 @@ from freecad_ortho.fabrication.exchange.drawings.node_detail import node_page
 from freecad_ortho.fabrication.exchange.drawings.page import Page, draw_page
 from freecad_ortho.fabrication.exchange.drawings.part_detail import part_page, typical_parts
 from freecad_ortho.fabrication.exchange.drawings.pen import Pen
-from freecad_ortho.fabrication.exchange.drawings.plan import plan_pages
+from freecad_ortho.fabrication.exchange.drawings.plan_view import plan_view_pages
 from freecad_ortho.fabrication.production import Production
 
 
@@ -48,7 +48,7 @@ def write_drawings(
 
 def _pages(production: Production, say: Callable[[float], None]) -> list[Page]:
     form = production.workshop.drawing_form
-    pages = plan_pages(production, form)
+    pages = plan_view_pages(production, form)
     say(0.1)
     pages += [sheet_page(sheet, form) for sheet in production.sheets]
     say(0.2)

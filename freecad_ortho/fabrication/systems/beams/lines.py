@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from freecad_ortho.fabrication.folded import Chain, Slot
+from freecad_ortho.fabrication.folded import Chain, NodeSlot
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.beams.border import BorderEnds
 from freecad_ortho.fabrication.systems.beams.frames import Around
@@ -138,7 +138,7 @@ def chain(
     _refuse_twist(site, geometry, edges)
     frame = geometry.frame[edges] * np.where(ahead, 1.0, -1.0)[:, None, None] ** [[1], [0], [1]]
     leaving, arriving = np.where(ahead, edges, edges + count), np.where(ahead, edges + count, edges)
-    slots: list[Slot | None] = [None] * len(nodes)
+    slots: list[NodeSlot | None] = [None] * len(nodes)
     if laps is not None:
         middle = sum(geometry.levels) / 2
         for node, vertex in enumerate(nodes.tolist()):
@@ -150,7 +150,7 @@ def chain(
                 rise = middle * float(np.linalg.norm(site.axes.offsets[vertex]))
                 floor = rise - laps.clearance / 2 * (1 if above else -1)
                 widths = [float(laps.width[one]) if one >= 0 else 0.0 for one in (before, after)]
-                slots[node] = Slot(above, floor, *widths)
+                slots[node] = NodeSlot(above, floor, *widths)
         _refuse_slots(site, geometry, edges, leaving, arriving, laps)
     vertices, offsets = site.mesh.vertices[nodes], site.axes.offsets[nodes]
     tongues = [0.0, 0.0]

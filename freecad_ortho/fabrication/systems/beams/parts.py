@@ -20,7 +20,7 @@ from freecad_ortho.fabrication.systems.beams.border import BorderEnds
 from freecad_ortho.fabrication.systems.beams.geometry import LEFT_SIDE, RIGHT_SIDE, BeamGeometry
 from freecad_ortho.fabrication.systems.beams.lines import Crossings, chain, line_name
 from freecad_ortho.fabrication.systems.beams.rolled import RolledSection
-from freecad_ortho.fabrication.systems.beams.sections import Piece, Section
+from freecad_ortho.fabrication.systems.beams.sections import Section, SectionPiece
 from freecad_ortho.fabrication.systems.beams.web_holes import web_holes
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
@@ -218,7 +218,7 @@ def names_across(site: Site) -> dict[int, list[str]]:
 
 
 def _pattern(
-    geometry: BeamGeometry, piece: Piece, edge: int, name: str, ends: list[str]
+    geometry: BeamGeometry, piece: SectionPiece, edge: int, name: str, ends: list[str]
 ) -> tuple[FlatPattern | None, FloatArray]:
     """Flat pattern of a part, and the origin of its coordinates in those of the beam."""
     corners = piece.corners[edge]
@@ -237,7 +237,7 @@ def _pattern(
 
 
 def _cut_angles(
-    geometry: BeamGeometry, section: Section | RolledSection, piece: Piece, edge: int
+    geometry: BeamGeometry, section: Section | RolledSection, piece: SectionPiece, edge: int
 ) -> str:
     """Cuts of a tube in words: the saw's tilt from square, in elevation and in plan."""
     tilt = np.degrees(np.arctan(geometry.slopes[edge]))

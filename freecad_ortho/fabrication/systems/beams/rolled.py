@@ -17,7 +17,7 @@ from freecad_ortho.fabrication.profiles import Profile
 from freecad_ortho.fabrication.profiles.end import End
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
-from freecad_ortho.fabrication.systems.beams.sections import Piece, prism
+from freecad_ortho.fabrication.systems.beams.sections import SectionPiece, prism
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import FloatArray
 
@@ -62,7 +62,7 @@ class RolledSection:
         """What a beam is sawn from, in words."""
         return self.profile.name
 
-    def pieces(self, geometry: BeamGeometry) -> tuple[Piece, ...]:
+    def pieces(self, geometry: BeamGeometry) -> tuple[SectionPiece, ...]:
         """The one part that a beam is made of."""
         top = geometry.up(1)
         corners = prism(geometry, top - self.height, top, self.overall_width / 2)
@@ -87,7 +87,7 @@ class RolledSection:
 
 
 @dataclass(frozen=True, eq=False)
-class RolledPiece(Piece):
+class RolledPiece(SectionPiece):
     """The bodies of beams of one profile, whose coordinates begin in the middle of its box.
 
     Attributes:

@@ -139,7 +139,7 @@ class Section:
         below, above = self.flanges
         return geometry.up(0) + below, geometry.up(1) - above
 
-    def pieces(self, geometry: BeamGeometry) -> tuple[Piece, ...]:
+    def pieces(self, geometry: BeamGeometry) -> tuple[SectionPiece, ...]:
         """The parts that a beam of this section is made of.
 
         Raises:
@@ -150,28 +150,28 @@ class Section:
         wall, half = self.thickness, self.overall_width / 2
         if self.kind == "plate":
             corners = prism(geometry, low, high, half)
-            return (Piece("", "plate", corners, LOOPS, wall, geometry.height),)
+            return (SectionPiece("", "plate", corners, LOOPS, wall, geometry.height),)
         if self.kind == "hollow":
             outer = prism(geometry, low, high, half)
             inner = prism(geometry, low + wall, high - wall, half - wall)
             corners = np.concatenate([outer, inner], axis=1)
-            return (Piece("", "tube", corners, HOLLOW_LOOPS, wall, geometry.height),)
+            return (SectionPiece("", "tube", corners, HOLLOW_LOOPS, wall, geometry.height),)
         # What is left are I and T.
         flange = self.flange
         web_low, web_high = self.web_levels(geometry)
         web = prism(geometry, web_low, web_high, wall / 2)
-        made = [Piece("-web", "plate", web, LOOPS, wall, web_high - web_low)]
+        made = [SectionPiece("-web", "plate", web, LOOPS, wall, web_high - web_low)]
         width = np.full(len(low), self.width)
         top = _flange(geometry, high - flange, high, half)
-        made.append(Piece("-top", "flange", top, LOOPS, flange, width))
+        made.append(SectionPiece("-top", "flange", top, LOOPS, flange, width))
         if self.kind == "I":
             bottom = _flange(geometry, low, low + flange, half)
-            made.append(Piece("-bottom", "flange", bottom, LOOPS, flange, width))
+            made.append(SectionPiece("-bottom", "flange", bottom, LOOPS, flange, width))
         return tuple(made)
 
 
 @dataclass(frozen=True, eq=False)
-class Piece:
+class SectionPiece:
     """One part of every beam, as arrays with a row an edge.
 
     Attributes:

@@ -31,7 +31,7 @@ _LEFT_OVER = 0.05
 
 
 @dataclass(frozen=True, eq=False)
-class Plate:
+class BentPlate:
     """A row of faces as a plate that is bent at its inner edges.
 
     Attributes:
@@ -156,7 +156,9 @@ class Plate:
         )
 
 
-def plate_of(mesh: QuadMesh, row: Row, thickness: float, gap: float, insets: FloatArray) -> Plate:
+def plate_of(
+    mesh: QuadMesh, row: Row, thickness: float, gap: float, insets: FloatArray
+) -> BentPlate:
     """Make the plate of a row.
 
     Args:
@@ -200,7 +202,7 @@ def plate_of(mesh: QuadMesh, row: Row, thickness: float, gap: float, insets: Flo
         ends[end] = back / np.abs(arms[:, 0] * ruling[1] - arms[:, 1] * ruling[0])
     _refuse(row, rails, ends, gap)
     ribbon = Ribbon(strip, -float(reach.max()), float(reach.max()), thickness)
-    return Plate(row, ribbon, reach, rails, ends)
+    return BentPlate(row, ribbon, reach, rails, ends)
 
 
 def _refuse(row: Row, rails: FloatArray, ends: FloatArray, gap: float) -> None:

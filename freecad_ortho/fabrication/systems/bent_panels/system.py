@@ -18,7 +18,7 @@ from freecad_ortho.fabrication.cut_sheets import CutPiece
 from freecad_ortho.fabrication.part import Measures, Part, piece_name
 from freecad_ortho.fabrication.plates import plate_part
 from freecad_ortho.fabrication.site import Site
-from freecad_ortho.fabrication.systems.bent_panels.plate import Plate, plate_of
+from freecad_ortho.fabrication.systems.bent_panels.plate import BentPlate, plate_of
 from freecad_ortho.fabrication.systems.bent_panels.rows import Row, rows_of
 from freecad_ortho.fabrication.systems.bent_panels.trimmed import trimmed_plate
 from freecad_ortho.fabrication.systems.panels.geometry import (
@@ -52,7 +52,7 @@ class _Cut:
     """A plate, or a piece that a border leaves of it."""
 
     name: str
-    plate: Plate
+    plate: BentPlate
     piece: CutPiece | None
 
     @property
@@ -154,7 +154,9 @@ class BentPanels(FromSheets):
         """
         return self.thickness / 2 * bend + self.gap / 2 * (np.hypot(1.0, bend) - 1.0)
 
-    def _cuts(self, site: Site, plates: Sequence[Plate]) -> tuple[list[_Cut], dict[str, CutPiece]]:
+    def _cuts(
+        self, site: Site, plates: Sequence[BentPlate]
+    ) -> tuple[list[_Cut], dict[str, CutPiece]]:
         """The plates, or what a border leaves of them; by their names pieces too narrow to make."""
         cuts: list[_Cut] = []
         left_out: dict[str, CutPiece] = {}
@@ -173,7 +175,9 @@ class BentPanels(FromSheets):
                     cuts.append(_Cut(own, plate, piece))
         return cuts, left_out
 
-    def _words(self, chosen: Sequence[Row], plates: Sequence[Plate], large: int) -> tuple[str, ...]:
+    def _words(
+        self, chosen: Sequence[Row], plates: Sequence[BentPlate], large: int
+    ) -> tuple[str, ...]:
         """What is to be said where rows were cut."""
         if self.piece_length is None or len(plates) <= len(chosen):
             return split_words("row", chosen, plates, self.sheet, large)
@@ -183,20 +187,20 @@ class BentPanels(FromSheets):
             f"pieces, the longest of {max(plate.length for plate in plates):.1f} mm{fit}",
         )
 
-    def _fits(self, plate: Plate) -> bool:
+    def _fits(self, plate: BentPlate) -> bool:
         """Whether a plate is short enough, and small enough for a sheet."""
         room = self.room
         short = self.piece_length is None or plate.length <= self.piece_length * (1 + _SAME)
         return short and (room is None or room.holds(plate.outline))
 
-    def _plates(self, site: Site, row: Row, insets: FloatArray) -> list[Plate]:
+    def _plates(self, site: Site, row: Row, insets: FloatArray) -> list[BentPlate]:
         """The plate of a row, or those of as few pieces as fit; whole if no face does.
 
         Raises:
             InputError: a face that is longer than pieces may be.
         """
 
-        def plate(piece: Row) -> Plate:
+        def plate(piece: Row) -> BentPlate:
             return plate_of(site.mesh, piece, self.thickness, self.gap, insets)
 
         whole = [plate(row)]
@@ -269,7 +273,7 @@ class BentPanels(FromSheets):
         )
 
     def _report(
-        self, family: str, plates: Sequence[Plate], parts: tuple[Part, ...]
+        self, family: str, plates: Sequence[BentPlate], parts: tuple[Part, ...]
     ) -> dict[str, Any]:
         bends = np.concatenate([plate.ribbon.strip.bends for plate in plates])
         radii = [part.measures.min_bend_radius_mm for part in parts]

@@ -6,12 +6,12 @@ import numpy as np
 
 from freecad_ortho.fabrication.cut_sheets import CutPiece, cut_pieces
 from freecad_ortho.fabrication.sheet_cells import BentSheet
-from freecad_ortho.fabrication.systems.bent_panels.plate import Plate
+from freecad_ortho.fabrication.systems.bent_panels.plate import BentPlate
 from freecad_ortho.fabrication.trimming import Trimming
 from solver.mesh.quadmesh import FloatArray
 
 
-def trimmed_plate(plate: Plate, trimming: Trimming) -> list[CutPiece]:
+def trimmed_plate(plate: BentPlate, trimming: Trimming) -> list[CutPiece]:
     """What a border leaves of a plate, the widest piece first; numbers of faces are its row's."""
     sheet = _sheet(plate)
     regions = {}
@@ -23,7 +23,7 @@ def trimmed_plate(plate: Plate, trimming: Trimming) -> list[CutPiece]:
     return cut_pieces(sheet, regions) if regions else []
 
 
-def _sheet(plate: Plate) -> BentSheet:
+def _sheet(plate: BentPlate) -> BentSheet:
     """The plate with what neighbours leave of it."""
     flat = plate.flat.reshape(-1, 2)
     rungs = len(flat) // 2
@@ -32,7 +32,7 @@ def _sheet(plate: Plate) -> BentSheet:
     return BentSheet(flat, plate.body().corners.reshape(2, -1, 3), faces)
 
 
-def _face_corners(plate: Plate, number: int) -> FloatArray:
+def _face_corners(plate: BentPlate, number: int) -> FloatArray:
     """(4, 2) corners of a whole face of the net in the plane of the strip, in the face's order."""
     strip = plate.ribbon.strip
     points, rulings = (

@@ -16,7 +16,7 @@ import numpy as np
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.sizes import rounded_down
 from freecad_ortho.fabrication.systems.edge_beam.path import Path
-from freecad_ortho.fabrication.systems.edge_beam.rulings import Pieces, Strips, strips_of
+from freecad_ortho.fabrication.systems.edge_beam.rulings import StraightPieces, Strips, strips_of
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray, unit_rows
@@ -240,7 +240,7 @@ def _pieces(
     top: float,
     levels: _Levels,
     rights: FloatArray | None = None,
-) -> tuple[Pieces, FloatArray]:
+) -> tuple[StraightPieces, FloatArray]:
     """The pieces of all ways, and how far they were lowered (N,); upright without (N, 3) rights."""
     ahead = np.cumsum([0, *(len(joints) for _, joints in ways)])
     given = [None if rights is None else rights[k:m] for k, m in pairwise(ahead.tolist())]
@@ -256,10 +256,10 @@ def _pieces(
     length = np.linalg.norm(end - start, axis=1)
     way = np.repeat(np.arange(len(ways)), np.diff(ahead))
     along = (end - start) / length[:, None]
-    return Pieces(start, length, along, axes, before, behind, way), drop
+    return StraightPieces(start, length, along, axes, before, behind, way), drop
 
 
-def _frames(pieces: Pieces, strips: Strips | None) -> FloatArray:
+def _frames(pieces: StraightPieces, strips: Strips | None) -> FloatArray:
     """(N, 3, 3) along, up and to the right of pieces: upright in their middle, or as strips lie."""
     both = pieces.axes + pieces.axes[pieces.behind]
     up = both if strips is None else strips.rulings.sum(axis=1)
@@ -268,7 +268,7 @@ def _frames(pieces: Pieces, strips: Strips | None) -> FloatArray:
     return np.stack([along, up, np.cross(along, up)], axis=1)
 
 
-def _bisectors(pieces: Pieces, strips: Strips | None) -> FloatArray:
+def _bisectors(pieces: StraightPieces, strips: Strips | None) -> FloatArray:
     """(N, 2, 3) directions square to the planes in which pieces end; bends lie in these planes."""
     plain = pieces.bisectors()
     found = np.stack([plain, plain[pieces.behind]], axis=1)

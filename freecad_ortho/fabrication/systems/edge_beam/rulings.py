@@ -45,7 +45,7 @@ class Strips:
 
 
 @dataclass(frozen=True, eq=False)
-class Pieces:
+class StraightPieces:
     """Straight pieces on closed ways, one row a piece.
 
     Attributes:
@@ -79,7 +79,7 @@ class Pieces:
         return self.along[self.before] + self.along
 
 
-def strips_of(pieces: Pieces, height: float, stock: float) -> Strips:
+def strips_of(pieces: StraightPieces, height: float, stock: float) -> Strips:
     """Divide ways into strips no longer than the stock, and find their bend lines.
 
     Args:
@@ -141,7 +141,7 @@ def _shares(pieces: IntArray, lengths: FloatArray, stock: float) -> list[IntArra
     return np.split(pieces, len(pieces))
 
 
-def _worst(pieces: Pieces, run: IntArray, rulings: FloatArray) -> int | None:
+def _worst(pieces: StraightPieces, run: IntArray, rulings: FloatArray) -> int | None:
     """Where a strip is cut in two as its bend lines lean too far; None where they do not.
 
     In its middle where they lean across: that builds up along it.
@@ -159,7 +159,7 @@ def _worst(pieces: Pieces, run: IntArray, rulings: FloatArray) -> int | None:
     return int(slant.argmax()) + 1 if slant.max() > _SLANTED else None
 
 
-def _upright(pieces: Pieces, run: IntArray) -> FloatArray:
+def _upright(pieces: StraightPieces, run: IntArray) -> FloatArray:
     """(2, 3) the ends of a single piece, where its upright plane meets the mitres."""
     ends = np.array([run[0], pieces.behind[run[-1]]])
     along = pieces.along[run[0]]
@@ -169,7 +169,7 @@ def _upright(pieces: Pieces, run: IntArray) -> FloatArray:
     return np.asarray(lines * signs[:, None])
 
 
-def _rulings(pieces: Pieces, run: IntArray) -> FloatArray | None:
+def _rulings(pieces: StraightPieces, run: IntArray) -> FloatArray | None:
     """(K + 1, 3) unit directions at the joints of a strip of K pieces; None where none are near."""
     nodes = np.append(run, pieces.behind[run[-1]])
     along, axes = pieces.along[run], pieces.axes[nodes]

@@ -17,7 +17,7 @@ from freecad_ortho.fabrication.systems.lamellas.axis import Lamella
 from freecad_ortho.fabrication.systems.lamellas.crossings import Crossing
 from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
 from freecad_ortho.fabrication.systems.lamellas.splice_parts import outer_side, stand_off
-from freecad_ortho.fabrication.systems.lamellas.splices import Splice
+from freecad_ortho.fabrication.systems.lamellas.splices import SplicePlate
 from solver.mesh.quadmesh import FloatArray
 
 # Plates that stand off their lamella by about the same, mm, have bolts of one grip.
@@ -32,7 +32,7 @@ def layer_bolt(hole: float, material: Material) -> Bolt | None:
 
 
 def splice_bolts(
-    site: Site, splices: Sequence[Splice], plates: Sequence[Part], settings: LamellaSettings
+    site: Site, splices: Sequence[SplicePlate], plates: Sequence[Part], settings: LamellaSettings
 ) -> tuple[Fasteners, ...]:
     """Bolts through splice plates and the ends that they join, their heads on the plates.
 

@@ -37,7 +37,7 @@ _STEEPEST = 2.0
 
 
 @dataclass(frozen=True, eq=False)
-class Run:
+class LamellaSpan:
     """A part of a line on which a lamella is built.
 
     Attributes:
@@ -53,7 +53,7 @@ class Run:
     short: tuple[bool, bool] = (False, False)
 
 
-class Border:
+class LamellaBorder:
     """The border, as lamellas see it."""
 
     def __init__(self, site: Site, settings: LamellaSettings) -> None:
@@ -75,7 +75,7 @@ class Border:
         """How far a lamella goes on beyond a crossing at least, mm."""
         return _THICKNESSES * self._settings.thickness + _BEYOND
 
-    def runs(self, lines: Sequence[ParameterLine]) -> list[Run]:
+    def runs(self, lines: Sequence[ParameterLine]) -> list[LamellaSpan]:
         """What is left of lines; pieces without a vertex within the border are left out."""
         found = []
         for line in lines:
@@ -84,14 +84,14 @@ class Border:
                 ends = [(int(run.edges[k]), int(run.vertices[k])) for k in (0, -1)]
                 cut = [not run.closed and self._cuts(edge, vertex) for edge, vertex in ends]
                 suffix = chr(ord("a") + number) if number else ""
-                whole = self._shortened(Run(run, suffix, (cut[0], cut[1])))
+                whole = self._shortened(LamellaSpan(run, suffix, (cut[0], cut[1])))
                 if len(whole.line.edges) < 2 and any(cut):
                     self.left_out.append(f"{line.family.upper()}{line.number:03d}{suffix}")
                 else:
                     found.append(whole)
         return found
 
-    def _shortened(self, run: Run) -> Run:
+    def _shortened(self, run: LamellaSpan) -> LamellaSpan:
         """Without vertices so near to an edge beam that nothing can cross there."""
         if self._edge_beam is None or len(run.line.edges) < 2:
             return run
@@ -104,14 +104,14 @@ class Border:
         )
         return replace(run, line=line, short=(short[0], short[1])) if any(short) else run
 
-    def _room(self, run: Run, end: int) -> float:
+    def _room(self, run: LamellaSpan, end: int) -> float:
         """From the last vertex within to the border or the edge beam before it, mm."""
         edge, side = self._end(run, end)
         place = float(self._ends.places[edge, side])
         length = float(self._site.mesh.edge_lengths[edge])
         return (place if side else 1.0 - place) * length - self._slanted(edge, side)
 
-    def _end(self, run: Run, end: int) -> tuple[int, int]:
+    def _end(self, run: LamellaSpan, end: int) -> tuple[int, int]:
         """The last edge of a run, and which of its ends lies outwards."""
         edge, vertex = int(run.line.edges[-end]), int(run.line.vertices[-end])
         return edge, int(self._edges[edge, 1] == vertex)
@@ -126,7 +126,7 @@ class Border:
     def _cuts(self, edge: int, vertex: int) -> bool:
         return bool(self._ends.cut[edge, int(self._edges[edge, 1] == vertex)])
 
-    def trim(self, lamella: Lamella, run: Run, settings: LamellaSettings) -> Lamella:
+    def trim(self, lamella: Lamella, run: LamellaSpan, settings: LamellaSettings) -> Lamella:
         """The lamella on a run, cut where it comes to the border."""
         if not any(run.cut):
             return lamella
@@ -137,7 +137,7 @@ class Border:
         return piece_between(lamella, joints[0], joints[1], "", settings)
 
     def _joint(
-        self, lamella: Lamella, run: Run, end: int, settings: LamellaSettings
+        self, lamella: Lamella, run: LamellaSpan, end: int, settings: LamellaSettings
     ) -> Joint | None:
         """Where an end of a lamella is cut, its whole section within the border; None nowhere."""
         edge, side = self._end(run, end)

@@ -23,7 +23,7 @@ _RING = ((0, 1), (1, 1), (1, 0), (0, 0))
 
 
 @dataclass(frozen=True, eq=False)
-class Grid:
+class CellGrid:
     """Cells of a ribbon.
 
     Attributes:
@@ -38,7 +38,7 @@ class Grid:
     full: BoolArray
 
 
-def grid_of(ribbon: Ribbon, slots: Sequence[Slot]) -> Grid:
+def grid_of(ribbon: Ribbon, slots: Sequence[Slot]) -> CellGrid:
     """Lay out the cells of a ribbon whose slots stand along its rulings."""
     floors = {round(slot.floor * (1 if slot.upward else -1), 9) for slot in slots}
     levels = np.array([ribbon.lower, *sorted(floors), ribbon.upper])
@@ -58,7 +58,7 @@ def grid_of(ribbon: Ribbon, slots: Sequence[Slot]) -> Grid:
         behind, ahead = (slot_side(ribbon, slot, levels, sign) for sign in (-1, 1))
         lines += [behind, here, ahead]
         full += [~left_out, ~left_out, every]
-    return Grid(np.array(lines), levels, np.array(full[:-1]))
+    return CellGrid(np.array(lines), levels, np.array(full[:-1]))
 
 
 def slot_side(ribbon: Ribbon, slot: Slot, levels: FloatArray, sign: int) -> FloatArray:
@@ -90,7 +90,7 @@ def hulls(
         slots: in it.
         smooth: its edges are cubic splines.
         plated: length at the ends that splice plates lie on, mm.
-        legs: places at which cleats on the sides end, as in ``Grid``.
+        legs: places at which cleats on the sides end, as in ``CellGrid``.
     """
     grid = grid_of(ribbon, slots)
     rails, width = Rails(ribbon, grid.levels, smooth), ribbon.width

@@ -15,7 +15,7 @@ import numpy as np
 
 from freecad_ortho.fabrication.pattern import polygon_area
 from freecad_ortho.fabrication.ruled import RuledBody
-from freecad_ortho.fabrication.ruled_sides import Bore, Sheet, Side
+from freecad_ortho.fabrication.ruled_sides import Bore, RuledSide, Side
 from freecad_ortho.fabrication.systems.lamellas.ribbon import FLAT, Ribbon
 from freecad_ortho.fabrication.systems.lamellas.spans import Drilled
 from solver.errors import InputError
@@ -264,7 +264,7 @@ def _direction(angle: float) -> FloatArray:
 
 def _sides(
     pieces: list[Loop], count: int, arcs: Mapping[tuple[int, int], FloatArray]
-) -> tuple[tuple[Side, ...], tuple[Sheet, ...], list[tuple[int, int]]]:
+) -> tuple[tuple[Side, ...], tuple[RuledSide, ...], list[tuple[int, int]]]:
     """Sides of the solid: each piece on both sides of the plate, and walls along the outline.
 
     Returns:
@@ -272,7 +272,7 @@ def _sides(
         side, counted through both.
     """
     sides: list[Side] = []
-    sheets: list[Sheet] = []
+    sheets: list[RuledSide] = []
     numbers = []
     edges = set()
     for loop in pieces:
@@ -281,7 +281,7 @@ def _sides(
         upper, lower = tuple(point + count for point in loop), tuple(reversed(loop))
         curved = any(pair in arcs for pair in around)
         if curved:
-            sheets += [Sheet((lower,)), Sheet((upper,))]
+            sheets += [RuledSide((lower,)), RuledSide((upper,))]
         else:
             sides += [lower, upper]
         numbers.append((curved, len(sheets if curved else sides) - 2))

@@ -40,7 +40,7 @@ _TICK = 0.3
 
 
 @dataclass(frozen=True, eq=False)
-class Cut:
+class CutLamella:
     """A lamella with what is cut from it.
 
     Attributes:
@@ -61,7 +61,7 @@ class Cut:
     drilled: RuledBody
 
 
-def cut(lamella: Lamella, crossings: Sequence[Crossing], settings: LamellaSettings) -> Cut:
+def cut(lamella: Lamella, crossings: Sequence[Crossing], settings: LamellaSettings) -> CutLamella:
     """Cut slots and holes.
 
     Raises:
@@ -85,7 +85,7 @@ def cut(lamella: Lamella, crossings: Sequence[Crossing], settings: LamellaSettin
     body, drilled = _bodies(lamella, slots, edge, holes, settings)
     if settings.cutter is not None:
         edge = relieved(edge, [made.floor for made in notches], settings.cutter, lamella.name)
-    return Cut(lamella, crossings, edge, holes, body, drilled)
+    return CutLamella(lamella, crossings, edge, holes, body, drilled)
 
 
 def _holes(
@@ -126,7 +126,7 @@ def _bodies(
     return whole, span_body(ribbon, slots, holes, smooth, name) if holes else whole
 
 
-def lamella_part(made: Cut, site: Site, position: str) -> Part:
+def lamella_part(made: CutLamella, site: Site, position: str) -> Part:
     """Return the part, its own coordinates in the middle of its axis."""
     lamella, ribbon = made.lamella, made.lamella.ribbon
     origin, frame = ribbon.middle()
@@ -178,7 +178,7 @@ def lamella_part(made: Cut, site: Site, position: str) -> Part:
     )
 
 
-def _drills(made: Cut) -> list[tuple[FloatArray, FloatArray]]:
+def _drills(made: CutLamella) -> list[tuple[FloatArray, FloatArray]]:
     """Middles of the holes in space, and their directions, in the order of the holes."""
     ribbon = made.lamella.ribbon
     bolted = [each.station for each in made.crossings if each.bolted]
@@ -196,7 +196,7 @@ def _drill(ribbon: Ribbon, station: int) -> tuple[FloatArray, FloatArray]:
     return strip.points[station] + level * strip.rulings[station], strip.normals[station]
 
 
-def _pattern(made: Cut) -> FlatPattern:
+def _pattern(made: CutLamella) -> FlatPattern:
     """The flat pattern with its axis' ends on a level, lower left corner at the origin."""
     ribbon = made.lamella.ribbon
     strip = ribbon.strip
@@ -242,7 +242,9 @@ def _pattern(made: Cut) -> FlatPattern:
     )
 
 
-def _marks(made: Cut, placed: Callable[[FloatArray], FloatArray], turn: FloatArray) -> list[Mark]:
+def _marks(
+    made: CutLamella, placed: Callable[[FloatArray], FloatArray], turn: FloatArray
+) -> list[Mark]:
     """A tick and the other's name at each crossing, beside it on the side that stays whole."""
     import shapely
 
@@ -282,7 +284,7 @@ def _marks(made: Cut, placed: Callable[[FloatArray], FloatArray], turn: FloatArr
     return marks
 
 
-def _label(made: Cut) -> tuple[FloatArray, float, FloatArray]:
+def _label(made: CutLamella) -> tuple[FloatArray, float, FloatArray]:
     """Middle, size and direction of the name: in the longest face, on the slots' side."""
     ribbon = made.lamella.ribbon
     strip = ribbon.strip

@@ -16,7 +16,7 @@ import numpy as np
 
 from freecad_ortho.fabrication.bezier import blend, through
 from freecad_ortho.fabrication.ruled import RuledBody
-from freecad_ortho.fabrication.ruled_sides import Sheet, Side
+from freecad_ortho.fabrication.ruled_sides import RuledSide, Side
 from freecad_ortho.fabrication.systems.lamellas.cells import Rails, slot_side
 from freecad_ortho.fabrication.systems.lamellas.outline import Slot
 from freecad_ortho.fabrication.systems.lamellas.ribbon import Ribbon
@@ -105,7 +105,7 @@ class _Solid:
         self.corners: list[FloatArray] = []
         self.handles: dict[tuple[int, int], FloatArray] = {}
         self.walls: list[Side] = []
-        self.sheets: list[Sheet] = []
+        self.sheets: list[RuledSide] = []
         self.on_station: dict[tuple[int, float], int] = {}
 
     def share(self, level: float) -> float:
@@ -245,7 +245,7 @@ class _Solid:
                     self.walls.append((2 * start, 2 * end, 2 * end + 1, 2 * start + 1))
         above, below = self.rails[face, 1], self.rails[face, 0, ::-1]
         self.sheets.append(
-            Sheet(
+            RuledSide(
                 tuple(tuple(2 * corner + 1 for corner in ring) for ring in corners),
                 above,
                 tuple(tuple(loop) for loop in loops),
@@ -253,7 +253,7 @@ class _Solid:
         )
         turned = [[curve[::-1] * (1, -1) + (0, 1) for curve in loop[::-1]] for loop in loops]
         self.sheets.append(
-            Sheet(
+            RuledSide(
                 tuple((2 * ring[0], *(2 * c for c in ring[:0:-1])) for ring in corners),
                 below,
                 tuple(tuple(loop) for loop in turned),

@@ -14,15 +14,15 @@ from freecad_ortho.fabrication.ruled_sides import Bore
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.lamellas.bolts import bolts, half_length
 from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
-from freecad_ortho.fabrication.systems.lamellas.splices import Splice, square_end
+from freecad_ortho.fabrication.systems.lamellas.splices import SplicePlate, square_end
 
 
-def outer_side(splice: Splice, settings: LamellaSettings) -> int:
+def outer_side(splice: SplicePlate, settings: LamellaSettings) -> int:
     """Side of the lamella that its plate lies on, along its normal: 1 or -1."""
     return -1 if not settings.standing and splice.lamella.family == "v" else 1
 
 
-def stand_off(splice: Splice, settings: LamellaSettings) -> float:
+def stand_off(splice: SplicePlate, settings: LamellaSettings) -> float:
     """How far the plate stands off, mm: by as much as the edges of a twisted lamella do."""
     ribbon, face = splice.lamella.ribbon, splice.joint.face
     reach = max(abs(ribbon.lower), abs(ribbon.upper))
@@ -30,7 +30,7 @@ def stand_off(splice: Splice, settings: LamellaSettings) -> float:
     return float(reach * np.sin(turn / ribbon.strip.lengths[face]))
 
 
-def splice_part(splice: Splice, site: Site, settings: LamellaSettings) -> Part:
+def splice_part(splice: SplicePlate, site: Site, settings: LamellaSettings) -> Part:
     """Return the plate: flat, as wide and thick as the lamella, on the outer one of its sides.
 
     Where the lamella twists, the plate stands off by as much as its edges do from its middle.
@@ -72,7 +72,7 @@ def splice_part(splice: Splice, site: Site, settings: LamellaSettings) -> Part:
     )
 
 
-def _pattern(splice: Splice, settings: LamellaSettings) -> FlatPattern:
+def _pattern(splice: SplicePlate, settings: LamellaSettings) -> FlatPattern:
     """A rectangle with bolt holes, the joint, and the names of the plate and of both pieces."""
     half, width, hole = half_length(settings), settings.width, settings.hole
     outline = np.array([[0.0, 0.0], [2 * half, 0.0], [2 * half, width], [0.0, width]])

@@ -42,7 +42,7 @@ class Joint:
 
 
 @dataclass(frozen=True, eq=False)
-class Splice:
+class SplicePlate:
     """A plate that joins two pieces of a lamella.
 
     Attributes:
@@ -65,7 +65,7 @@ class Splice:
 
 def spliced(
     lamella: Lamella, settings: LamellaSettings, taken: Collection[int] = ()
-) -> tuple[list[Lamella], list[Splice]]:
+) -> tuple[list[Lamella], list[SplicePlate]]:
     """Cut a lamella that is longer than the stock or closed; others come back as they are.
 
     Pieces are of about one length; in every second line the joints lie in the middle between those
@@ -90,7 +90,7 @@ def spliced(
         pairs.append((begin, (pieces[-1], pieces[0])))
     stem = lamella.name.replace("L-", "S-", 1)
     splices = [
-        Splice(f"{stem}-{number}", lamella, joint, (one.name, two.name))
+        SplicePlate(f"{stem}-{number}", lamella, joint, (one.name, two.name))
         for number, (joint, (one, two)) in enumerate(pairs, start=1)
     ]
     return pieces, splices
@@ -259,14 +259,14 @@ def _end_bolts(ribbon: Ribbon, end: Joint, inwards: float, settings: LamellaSett
 
 def pieces_of(
     lamellas: Sequence[Lamella], settings: LamellaSettings, taken: Collection[int] = ()
-) -> tuple[list[Lamella], list[Splice]]:
+) -> tuple[list[Lamella], list[SplicePlate]]:
     """Pieces of all lamellas in order, and the plates that join them, beside cleats at ``taken``.
 
     Raises:
         InputError: no room for splices where they would be needed.
     """
     pieces: list[Lamella] = []
-    splices: list[Splice] = []
+    splices: list[SplicePlate] = []
     for lamella in lamellas:
         cut, joined = spliced(lamella, settings, taken)
         pieces += cut

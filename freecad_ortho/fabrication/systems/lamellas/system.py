@@ -20,7 +20,7 @@ from freecad_ortho.fabrication.systems.lamellas.above import Above, build_above
 from freecad_ortho.fabrication.systems.lamellas.axis import Lamella, lamella_on
 from freecad_ortho.fabrication.systems.lamellas.bolted import crossing_bolts, splice_bolts
 from freecad_ortho.fabrication.systems.lamellas.bolts import least_edge, least_width
-from freecad_ortho.fabrication.systems.lamellas.border import Border, Run
+from freecad_ortho.fabrication.systems.lamellas.border import LamellaBorder, LamellaSpan
 from freecad_ortho.fabrication.systems.lamellas.cleat_parts import cleat_bolts, cleat_part
 from freecad_ortho.fabrication.systems.lamellas.cleats import around, cleats_of, ends_of
 from freecad_ortho.fabrication.systems.lamellas.crossings import (
@@ -39,7 +39,7 @@ from freecad_ortho.fabrication.systems.lamellas.layers import too_near
 from freecad_ortho.fabrication.systems.lamellas.parts import cut, lamella_part
 from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
 from freecad_ortho.fabrication.systems.lamellas.splice_parts import splice_part
-from freecad_ortho.fabrication.systems.lamellas.splices import Splice, pieces_of
+from freecad_ortho.fabrication.systems.lamellas.splices import SplicePlate, pieces_of
 from freecad_ortho.fabrication.systems.lamellas.third import third_layer
 from freecad_ortho.fabrication.systems.system import System, SystemParts, sums
 from solver.errors import InputError
@@ -98,7 +98,7 @@ class Lamellas(LamellaSettings, System):
                 "layers: the lines of this net cannot be told apart into families u and v, so two "
                 "layers cannot be made; take layers 1"
             )
-        border = Border(site, self)
+        border = LamellaBorder(site, self)
         runs = border.runs(lines)
         if not runs:
             return SystemParts(())
@@ -138,7 +138,7 @@ class Lamellas(LamellaSettings, System):
         return SystemParts(parts, report, tuple(messages), geometry, fasteners=bolts)
 
     def _whole(
-        self, site: Site, border: Border, runs: list[Run], pattern: StripPattern
+        self, site: Site, border: LamellaBorder, runs: list[LamellaSpan], pattern: StripPattern
     ) -> list[Lamella]:
         """One lamella a run, before it is cut to stock."""
         beyond = reaches(site.mesh, pattern.axes, [run.line for run in runs], self)
@@ -183,7 +183,7 @@ class Lamellas(LamellaSettings, System):
             **sums(parts),
         }
 
-    def _said(self, whole: list[Lamella], splices: list[Splice]) -> list[str]:
+    def _said(self, whole: list[Lamella], splices: list[SplicePlate]) -> list[str]:
         """What a user should know about joints."""
         messages = []
         long = {splice.lamella.name for splice in splices if len(set(splice.pieces)) > 1}

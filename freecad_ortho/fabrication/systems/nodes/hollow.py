@@ -12,7 +12,7 @@ from freecad_ortho.fabrication.bodies import BOX_SIDES, Body, Polyhedron
 from freecad_ortho.fabrication.drilled import Drill, DrilledWalls
 from freecad_ortho.fabrication.pattern import polygon_area
 from freecad_ortho.fabrication.ruled import RuledBody
-from freecad_ortho.fabrication.ruled_sides import Bore, Sheet
+from freecad_ortho.fabrication.ruled_sides import Bore, RuledSide
 from freecad_ortho.fabrication.systems.nodes.hubs import face_normals, outline
 from solver.mesh.quadmesh import FloatArray
 
@@ -73,8 +73,8 @@ class HollowPrism(Body):
             (inner_low[k], inner_low[k - 1], inner_high[k - 1], inner_high[k]) for k in range(count)
         ]
         sheets = (
-            Sheet((tuple(reversed(low)), tuple(inner_low))),
-            Sheet((tuple(high), tuple(reversed(inner_high)))),
+            RuledSide((tuple(reversed(low)), tuple(inner_low))),
+            RuledSide((tuple(high), tuple(reversed(inner_high)))),
         )
         return RuledBody(self.points, (*outside, *inside), sheets=sheets, bores=bores)
 

@@ -17,7 +17,7 @@ _MOST = 0.95
 
 
 @dataclass(frozen=True, eq=False)
-class Corners:
+class PanelCorners:
     """Lines across the corners of panels, in the planes of their outlines.
 
     Attributes:
@@ -34,7 +34,7 @@ class Corners:
         """(F, 4) true where a corner is cut off."""
         return np.isfinite(self.begins)
 
-    def through(self, *rings: FloatArray) -> Corners:
+    def through(self, *rings: FloatArray) -> PanelCorners:
         """Lines that cut the corner off every one of these outlines (F, 4, 2) or off none."""
         tips = np.stack([np.einsum("fcd,fcd->fc", ring, self.inwards) for ring in rings])
         cut = self.begins > tips.min(axis=0)
@@ -79,7 +79,7 @@ class Corners:
             for side in ((None, k) if self.cut[face, k] else (k,))
         ]
 
-    def spared(self, faces: BoolArray) -> Corners:
+    def spared(self, faces: BoolArray) -> PanelCorners:
         """Lines that leave the chosen panels (F,) whole."""
         return replace(self, begins=np.where(faces[:, None], -np.inf, self.begins))
 
@@ -102,6 +102,6 @@ class Corners:
             )
 
 
-def uncut(count: int, size: int = 4) -> Corners:
+def uncut(count: int, size: int = 4) -> PanelCorners:
     """All corners of so many faces with ``size`` of them stay."""
-    return Corners(np.zeros((count, size, 2)), np.full((count, size), -np.inf))
+    return PanelCorners(np.zeros((count, size, 2)), np.full((count, size), -np.inf))

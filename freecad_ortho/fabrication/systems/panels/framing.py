@@ -17,7 +17,7 @@ from freecad_ortho.fabrication.systems.panels.blocks import (
     setting_blocks,
 )
 from freecad_ortho.fabrication.systems.panels.frame import Covered, Framed, framed
-from freecad_ortho.fabrication.systems.panels.gaskets import Gaskets, Seats, beam_seats
+from freecad_ortho.fabrication.systems.panels.gaskets import GasketPlanes, Gaskets, beam_seats
 from freecad_ortho.fabrication.systems.panels.geometry import PanelGeometry
 from freecad_ortho.fabrication.systems.panels.pressure_frame import PressureFrame
 from freecad_ortho.fabrication.systems.panels.silicone import Silicone, silicone_table
@@ -182,7 +182,7 @@ def _loose(
     blocks = tuple(block_parts(panels, joint))
     if any(panel.measures.warp_mm is not None for panel in panels):
         return blocks
-    seats = Seats(plates.heights, plates.frame.width / 2)
+    seats = GasketPlanes(plates.heights, plates.frame.width / 2)
     made = Gaskets(site, plates.frames, seats, beam_seats(beams), joint, plates.frame.cover)
     return (*made.parts(panels, rims), *blocks)
 

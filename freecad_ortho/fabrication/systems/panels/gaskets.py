@@ -27,7 +27,7 @@ RUBBER = Material("EPDM", 1250.0, 8.0, 8.0, 5.0)
 
 
 @dataclass(frozen=True, eq=False)
-class Seats:
+class GasketPlanes:
     """Planes that gaskets lie against, one an edge: square to the edge's own upright.
 
     Attributes:
@@ -58,8 +58,8 @@ class Gaskets:
 
     site: Site
     frames: Frames
-    plates: Seats
-    beams: Seats | None
+    plates: GasketPlanes
+    beams: GasketPlanes | None
     joint: float
     cover: float
 
@@ -77,7 +77,9 @@ class Gaskets:
             if self.beams is not None:
                 yield from self._along(panel, under, 0.0, self.beams)
 
-    def _along(self, panel: Part, outline: FloatArray, side: float, seats: Seats) -> Iterator[Part]:
+    def _along(
+        self, panel: Part, outline: FloatArray, side: float, seats: GasketPlanes
+    ) -> Iterator[Part]:
         """Those along the sides of an outline at a level of the panel, mm, up or down to seats."""
         width = min(_OF_COVER * self.cover, seats.half - self.joint / 2)
         if width < _LEAST:
@@ -110,7 +112,9 @@ class Gaskets:
                 levels = sorted((side, side + sign * thick))
                 yield _gasket(panel, f"{panel.name}-s{number + 1}-{where}", ring, levels, width)
 
-    def _within(self, seats: Seats, edge: int, ring: FloatArray, points: FloatArray) -> FloatArray:
+    def _within(
+        self, seats: GasketPlanes, edge: int, ring: FloatArray, points: FloatArray
+    ) -> FloatArray:
         """What of a strip, (4, 2) of a pattern and (4, 3) in place, lies where its seat is."""
         if seats.ends is None or seats.slopes is None:
             return ring
@@ -123,13 +127,13 @@ class Gaskets:
         rows = _kept(np.column_stack([rows, end - last * np.abs(left) - ahead]), 2)
         return _kept(rows, 3)[:, :2]
 
-    def _up_to(self, seats: Seats, edge: int, points: FloatArray, panel: Part) -> FloatArray:
+    def _up_to(self, seats: GasketPlanes, edge: int, points: FloatArray, panel: Part) -> FloatArray:
         """(N,) how far along the panel's normal the plane of a seat is from points (N, 3), mm."""
         up = self.frames.up[edge]
         start = self.site.mesh.vertices[self.site.mesh.connectivity.edges[edge, 0]]
         return np.asarray((seats.heights[edge] - (points - start) @ up) / (panel.frame[2] @ up))
 
-    def _edge(self, panel: Part, ring: FloatArray, seats: Seats) -> int | None:
+    def _edge(self, panel: Part, ring: FloatArray, seats: GasketPlanes) -> int | None:
         """The edge whose member a strip (4, 3) of a panel lies at."""
         net, mesh = self.site.mesh.connectivity, self.site.mesh
         own = net.face_edges[panel.face]
@@ -160,7 +164,7 @@ def _kept(rows: FloatArray, column: int) -> FloatArray:
     return np.array(found).reshape(-1, rows.shape[1])
 
 
-def beam_seats(beams: BeamGeometry | None) -> Seats | None:
+def beam_seats(beams: BeamGeometry | None) -> GasketPlanes | None:
     """The upper sides of beams."""
     if beams is None:
         return None
@@ -168,7 +172,7 @@ def beam_seats(beams: BeamGeometry | None) -> Seats | None:
     ends = up[:, None] * beams.slopes + np.column_stack([0 * beams.lengths, beams.lengths])
     ends = ends + beams.cuts.middle * [1.0, -1.0]
     heights = np.where(beams.built, up, np.nan)
-    return Seats(heights, beams.section_half, ends, beams.cuts.slope)
+    return GasketPlanes(heights, beams.section_half, ends, beams.cuts.slope)
 
 
 def _gasket(

@@ -17,7 +17,7 @@ import numpy as np
 
 from freecad_ortho.fabrication.sizes import rounded_down
 from freecad_ortho.fabrication.systems.beams.geometry import LEFT_TOP, RIGHT_TOP, BeamGeometry
-from freecad_ortho.fabrication.systems.panels.corners import Corners, uncut
+from freecad_ortho.fabrication.systems.panels.corners import PanelCorners, uncut
 from freecad_ortho.fabrication.systems.panels.hubs import Stands, corner_cuts, lift_over
 from freecad_ortho.fabrication.systems.panels.planes import Planes
 from solver.errors import InputError
@@ -55,7 +55,7 @@ class PanelGeometry:
     upper: FloatArray
     lower: FloatArray
     levels: FloatArray
-    corners: Corners
+    corners: PanelCorners
     sides: FloatArray
     clear: FloatArray
     lift: FloatArray

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_ortho.fabrication.systems.panels.corners import Corners
+from freecad_ortho.fabrication.systems.panels.corners import PanelCorners
 from freecad_ortho.fabrication.systems.panels.planes import Planes
 from solver.mesh.connectivity import BoolArray
 from solver.mesh.quadmesh import FloatArray, unit_rows
@@ -112,7 +112,7 @@ def _cross(one: FloatArray, other: FloatArray) -> FloatArray:
     return np.asarray(one[..., 0] * other[..., 1] - one[..., 1] * other[..., 0])
 
 
-def corner_cuts(planes: Planes, levels: FloatArray, stands: Stands) -> Corners:
+def corner_cuts(planes: Planes, levels: FloatArray, stands: Stands) -> PanelCorners:
     """Lines that cut the corners of panels off beside the hubs, square to the corners' bisectors.
 
     Args:
@@ -137,7 +137,7 @@ def corner_cuts(planes: Planes, levels: FloatArray, stands: Stands) -> Corners:
         if len(points):
             reach = float((points @ inwards[face, corner]).max())
             begins[face, corner] = reach + stands.clearance
-    return Corners(inwards, begins)
+    return PanelCorners(inwards, begins)
 
 
 def _between(ends: FloatArray, low: float, high: float) -> FloatArray:

@@ -25,7 +25,7 @@ from freecad_ortho.fabrication.systems.panels.geometry import (
 from freecad_ortho.fabrication.systems.panels.parts import plate_of
 from freecad_ortho.fabrication.systems.panels.words import (
     UNDER_BEAMS,
-    Settings,
+    PanelSettings,
     faces_down,
     messages_of,
     report_of,
@@ -40,7 +40,7 @@ from solver.mesh.quadmesh import FloatArray, QuadMesh
 Making = Callable[[SameSize], PanelGeometry]
 
 
-class Asked(Settings, Protocol):
+class Asked(PanelSettings, Protocol):
     """What may be asked of panels that only those with four corners have."""
 
     @property
@@ -81,7 +81,7 @@ def refuse_what_needs_quads(settings: Asked) -> None:
 
 
 def _report(
-    settings: Settings, geometries: Sequence[PanelGeometry], bearing: FloatArray | None
+    settings: PanelSettings, geometries: Sequence[PanelGeometry], bearing: FloatArray | None
 ) -> dict[str, Any]:
     """What is reported of panels in faces of several sizes, and how many have how many corners."""
     reports = [
@@ -159,7 +159,7 @@ def _parts(
     site: Site,
     same: SameSize,
     geometry: PanelGeometry,
-    settings: Settings,
+    settings: PanelSettings,
     measures: Sequence[Measures],
 ) -> list[Part]:
     """Panels in faces of one size, with the measures of those in all faces."""

@@ -20,7 +20,7 @@ from freecad_ortho.fabrication.systems.panels.build_ups import BuiltUp, layers_t
 from freecad_ortho.fabrication.systems.panels.cassette import Cassette, Fold
 from freecad_ortho.fabrication.systems.panels.cold import ColdBent, unbent
 from freecad_ortho.fabrication.systems.panels.geometry import PanelGeometry, neighbours
-from freecad_ortho.fabrication.systems.panels.slivers import Pieces, join_slivers
+from freecad_ortho.fabrication.systems.panels.slivers import PanelPieces, join_slivers
 from freecad_ortho.fabrication.systems.panels.trimmed import Trimmed, trimmed, trimmed_pattern
 from freecad_ortho.fabrication.systems.system import Table
 from solver.mesh.connectivity import BoolArray, IntArray
@@ -130,7 +130,7 @@ class Plate(NamedTuple):
 
 def _plates(
     site: Site, geometry: PanelGeometry, thickness: float, least_width: FloatArray, join: bool
-) -> tuple[list[Plate], Pieces, dict[str, float]]:
+) -> tuple[list[Plate], PanelPieces, dict[str, float]]:
     """The panels, what the border left of the faces, and by name how much corners lost, mm.
 
     Pieces that are narrower than the least of their face (F,), or that cannot be made, are none.
@@ -141,7 +141,7 @@ def _plates(
         for ring in (geometry.lower, geometry.upper, geometry.outline)
     ]
     whole = np.ones(len(names), dtype=bool) if site.trimming is None else site.trimming.whole
-    pieces = Pieces(whole, {}, {}, limits=site.material.plate_limits)
+    pieces = PanelPieces(whole, {}, {}, limits=site.material.plate_limits)
     for face, some in _at_the_border(site, geometry, rings).items():
         outlines = [geometry.corners.outline(face, ring[face]) for ring in rings]
         wide = [each for each in some if each.width >= least_width[face]]

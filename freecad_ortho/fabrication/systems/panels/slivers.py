@@ -30,7 +30,7 @@ _OVERLAP = 1.0
 
 
 @dataclass(eq=False)
-class Pieces:
+class PanelPieces:
     """What the border leaves of panels, as it changes.
 
     Attributes:
@@ -76,7 +76,7 @@ class Pieces:
 
 
 def join_slivers(
-    pieces: Pieces, geometry: PanelGeometry, rings: Sequence[FloatArray], across: IntArray
+    pieces: PanelPieces, geometry: PanelGeometry, rings: Sequence[FloatArray], across: IntArray
 ) -> None:
     """Join slivers with the neighbours along whose panels they are longest.
 
@@ -121,7 +121,7 @@ def _bridges(
 
 
 def _fitted(
-    pieces: Pieces,
+    pieces: PanelPieces,
     geometry: PanelGeometry,
     rings: Sequence[FloatArray],
     faces: tuple[int, int],

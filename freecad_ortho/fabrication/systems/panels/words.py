@@ -23,7 +23,7 @@ UNDER_BEAMS = (
 )
 
 
-class Settings(Protocol):
+class PanelSettings(Protocol):
     """What a report repeats of the settings of panels."""
 
     @property
@@ -44,7 +44,7 @@ class Settings(Protocol):
 
 
 def report_of(
-    settings: Settings,
+    settings: PanelSettings,
     geometry: PanelGeometry,
     made: BoolArray,
     bearing: FloatArray | None,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from freecad_ortho.fabrication.systems.patches.pieces import Piece
+from freecad_ortho.fabrication.systems.patches.pieces import NetPiece
 from solver.errors import InputError
 from solver.mesh.connectivity import IntArray
 from solver.mesh.grid import grid_of
@@ -16,7 +16,7 @@ _LEFT_OVER = 0.05
 
 
 def jointed(
-    mesh: QuadMesh, piece: Piece, patch: FlatPatch, half: FloatArray, gap: float
+    mesh: QuadMesh, piece: NetPiece, patch: FlatPatch, half: FloatArray, gap: float
 ) -> tuple[FlatPatch, FloatArray]:
     """Shorten a piece along its cuts: by half a gap in the pattern, by the same shares in space.
 
@@ -49,7 +49,7 @@ def jointed(
     return FlatPatch(patch.bent.with_vertices(bent), patch.flat.with_vertices(flat)), half
 
 
-def _cut_edges(mesh: QuadMesh, piece: Piece) -> set[tuple[int, int]]:
+def _cut_edges(mesh: QuadMesh, piece: NetPiece) -> set[tuple[int, int]]:
     """Ends of the edges on the outline of a piece beyond which the net goes on."""
     net = piece.mesh.connectivity
     outer = np.flatnonzero(net.twins < 0)

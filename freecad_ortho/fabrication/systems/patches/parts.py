@@ -16,7 +16,7 @@ from freecad_ortho.fabrication.sheet_cells import BentSheet
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.patches.joints import jointed
 from freecad_ortho.fabrication.systems.patches.pattern import patch_pattern
-from freecad_ortho.fabrication.systems.patches.pieces import Piece
+from freecad_ortho.fabrication.systems.patches.pieces import NetPiece
 from freecad_ortho.fabrication.systems.patches.radius import smallest_radius
 from freecad_ortho.fabrication.systems.patches.sheet import sheet_body
 from freecad_ortho.fabrication.trimming import Trimming
@@ -30,7 +30,7 @@ class PatchMaker:
     def __init__(
         self,
         site: Site,
-        piece: Piece,
+        piece: NetPiece,
         laid: FlatPatch,
         half: FloatArray,
         thickness: float,

@@ -9,7 +9,7 @@ import numpy as np
 
 from freecad_ortho.fabrication.pattern import FlatPattern, Mark, fitted_text_size, overlaps_itself
 from freecad_ortho.fabrication.site import Site
-from freecad_ortho.fabrication.systems.patches.pieces import Piece
+from freecad_ortho.fabrication.systems.patches.pieces import NetPiece
 from solver.errors import InputError
 from solver.mesh.connectivity import IntArray
 from solver.mesh.grid import Grid, grid_of
@@ -18,7 +18,7 @@ from solver.unroll.patch import FlatPatch
 
 
 def patch_pattern(
-    site: Site, piece: Piece, patch: FlatPatch, piece_of_face: Mapping[int, str]
+    site: Site, piece: NetPiece, patch: FlatPatch, piece_of_face: Mapping[int, str]
 ) -> FlatPattern:
     """Return the flat pattern of a piece.
 
@@ -55,7 +55,7 @@ def patch_pattern(
 class _Writer:
     """Engraves the lines of a piece and the names beside them."""
 
-    def __init__(self, site: Site, piece: Piece, points: FloatArray) -> None:
+    def __init__(self, site: Site, piece: NetPiece, points: FloatArray) -> None:
         self.site, self.piece, self.points = site, piece, points
         edges = site.mesh.connectivity.edges
         self.edge = {pair: number for number, pair in enumerate(map(tuple, edges.tolist()))}

@@ -14,7 +14,7 @@ from solver.mesh.quadmesh import QuadMesh
 
 
 @dataclass(frozen=True, eq=False)
-class Piece:
+class NetPiece:
     """A connected piece of a net.
 
     Attributes:
@@ -30,7 +30,7 @@ class Piece:
     faces: IntArray
 
 
-def pieces_of(mesh: QuadMesh, cuts: BoolArray) -> list[Piece]:
+def pieces_of(mesh: QuadMesh, cuts: BoolArray) -> list[NetPiece]:
     """Cut a net along edges.
 
     Corners of faces are one vertex of a piece where edges that are not cut join them; so a ring
@@ -59,7 +59,7 @@ def pieces_of(mesh: QuadMesh, cuts: BoolArray) -> list[Piece]:
         _, place, corners = np.unique(corner_of[faces], return_index=True, return_inverse=True)
         vertices = net.faces[faces].ravel()[place]
         alone = QuadMesh(mesh.vertices[vertices], corners.reshape(-1, 4))
-        pieces.append(Piece(name, alone, vertices, faces))
+        pieces.append(NetPiece(name, alone, vertices, faces))
     return pieces
 
 

@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 
 from freecad_ortho.fabrication.nesting.room import Room
-from freecad_ortho.fabrication.systems.patches.pieces import Piece
+from freecad_ortho.fabrication.systems.patches.pieces import NetPiece
 from solver.mesh.connectivity import IntArray
 from solver.mesh.grid import grid_of
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.unroll.patch import FlatPatch
 
 
-def cuts_to_fit(mesh: QuadMesh, piece: Piece, patch: FlatPatch, room: Room) -> IntArray:
+def cuts_to_fit(mesh: QuadMesh, piece: NetPiece, patch: FlatPatch, room: Room) -> IntArray:
     """Edges of the net along which a piece is cut so that what is left may fit a sheet.
 
     None where the piece fits, or is a single face. Smaller pieces may have to be cut again, as

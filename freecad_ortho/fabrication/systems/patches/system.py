@@ -17,7 +17,7 @@ import numpy as np
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.patches.parts import PatchMaker
-from freecad_ortho.fabrication.systems.patches.pieces import Piece, pieces_of
+from freecad_ortho.fabrication.systems.patches.pieces import NetPiece, pieces_of
 from freecad_ortho.fabrication.systems.patches.sheet import half_thicknesses
 from freecad_ortho.fabrication.systems.patches.splitting import cuts_to_fit
 from freecad_ortho.fabrication.systems.shared_options import LEAST_WIDTH, joint, plate_thickness
@@ -117,7 +117,7 @@ class Patches(FromSheets):
 
     def _fitting(
         self, mesh: QuadMesh, cuts: BoolArray, made: BoolArray
-    ) -> tuple[list[Piece], list[FlatPatch]]:
+    ) -> tuple[list[NetPiece], list[FlatPatch]]:
         """Pieces of the net and the same laid flat, cut along more lines until they fit a sheet.
 
         Those without faces that are made, (F,) true, are left out.
@@ -138,7 +138,7 @@ class Patches(FromSheets):
                 return pieces, laid
             cuts = cuts | more
 
-    def _laid_flat(self, piece: Piece) -> FlatPatch:
+    def _laid_flat(self, piece: NetPiece) -> FlatPatch:
         try:
             patch = flattened(piece.mesh)
         except InputError as error:
@@ -173,12 +173,12 @@ class Patches(FromSheets):
         }
 
 
-def _made(mesh: QuadMesh, cuts: BoolArray, made: BoolArray) -> list[Piece]:
+def _made(mesh: QuadMesh, cuts: BoolArray, made: BoolArray) -> list[NetPiece]:
     """The pieces of a net that have faces which are made, (F,) true."""
     return [piece for piece in pieces_of(mesh, cuts) if made[piece.faces].any()]
 
 
-def _rows(pieces: Sequence[Piece], laid: Sequence[FlatPatch]) -> tuple[tuple[object, ...], ...]:
+def _rows(pieces: Sequence[NetPiece], laid: Sequence[FlatPatch]) -> tuple[tuple[object, ...], ...]:
     """One row an edge of a piece: what it changes by from the pattern to its place."""
     rows: list[tuple[object, ...]] = []
     for piece, patch in zip(pieces, laid, strict=True):

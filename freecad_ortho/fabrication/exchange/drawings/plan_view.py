@@ -66,7 +66,7 @@ class _Net:
     sizes: str
 
 
-def plan_pages(production: Production, form: DrawingForm) -> list[Page]:
+def plan_view_pages(production: Production, form: DrawingForm) -> list[Page]:
     """The overview and, where it has no room for the nodes' numbers, its pieces."""
     net = _net(production)
     low, high = net.box
