@@ -87,7 +87,7 @@ def register() -> None:
 
     _add("Ortho_InstallPackages", InstallPackages())
     for command in _commands():
-        _add(command.name, command)
+        _add(command.identifier, command)
     from freecad_ortho.commands.open_example import OpenExample
 
     for name in examples():

@@ -22,7 +22,7 @@ class Command:
     shortcut: str = ""
 
     @property
-    def name(self) -> str:
+    def identifier(self) -> str:
         """FreeCAD's name of it, which is also the context of its words."""
         return f"Ortho_{type(self).__name__.removesuffix('Command')}"
 

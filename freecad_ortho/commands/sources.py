@@ -44,7 +44,7 @@ class SourceCommand(Command):
         """The task panel, on what is selected."""
         inputs = self.inputs()
         document = inputs.owners[0].Document if inputs.owners else _document()
-        title = FreeCAD.Qt.translate(self.name, self.title or self.text)
+        title = FreeCAD.Qt.translate(self.identifier, self.title or self.text)
         return _panel_class(self.group)(title, self.icon, self.group, document, inputs)
 
     def inputs(self) -> Inputs:

@@ -24,7 +24,7 @@ class StructureCommand(NetCommand):
         """Open the task panel."""
         from freecad_ortho.panels.structure_panel import StructurePanel
 
-        title = FreeCAD.Qt.translate(self.name, self.text)
+        title = FreeCAD.Qt.translate(self.identifier, self.text)
         FreeCADGui.Control.showDialog(StructurePanel(context.current_net(), self.icon, title))
 
 
