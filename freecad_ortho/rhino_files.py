@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 import os
-from importlib.util import find_spec
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from freecad_ortho.file_libraries import FileLibrary
 from solver.errors import InputError
 from solver.io.obj import ObjData
-from solver.isolated import Isolated, LibraryError
 from solver.mesh.quadmesh import FloatArray
 
 ENDINGS = (".3dm",)
 _UNITS = {"Millimeters": "mm", "Centimeters": "cm", "Meters": "m", "Inches": "in", "Feet": "ft"}
 _NO_UNIT = ("None", "Unset", "CustomUnits")
-_SECONDS = 120.0
+_LIBRARY = FileLibrary("rhino3dm", "rhino3dm", "3DM", "OBJ")
 # Points for each span of a curve that is no polyline, and at most so many.
 _STEPS, _MOST = 64, 4096
 
@@ -94,7 +92,7 @@ def read_3dm(path: str | os.PathLike[str]) -> ObjData:
         InputError: no such file, the library missing, or no mesh in it.
     """
     name = os.fspath(path)
-    points, faces, unit, count = _read(name, "polygons")
+    points, faces, unit, count = _LIBRARY.call(RhinoReader, "polygons", name)
     if not faces:
         raise InputError(f"{name}: has no mesh in it; make one of its surfaces (_QuadRemesh)")
     said = (f"{count} meshes of the file are taken as one",) if count > 1 else ()
@@ -109,28 +107,8 @@ def read_3dm_curves(path: str | os.PathLike[str]) -> tuple[list[FloatArray], str
         InputError: no such file, the library missing, or no curve in it.
     """
     name = os.fspath(path)
-    lines, unit = _read(name, "curves")
+    lines, unit = _LIBRARY.call(RhinoReader, "curves", name)
     if not lines:
         raise InputError(f"{name}: has no curve in it; draw one, or give a list of points")
     known = None if unit in _NO_UNIT else _UNITS.get(unit, unit)
     return [np.array(line, dtype=np.float64) for line in lines], known
-
-
-def _read(name: str, call: str) -> Any:
-    """What the library finds in a file.
-
-    Raises:
-        InputError: no such file, the library missing, or a file that it cannot read.
-    """
-    if not Path(name).is_file():
-        raise InputError(f"{name}: no such file; check the path")
-    if find_spec("rhino3dm") is None:
-        raise InputError(
-            f"{name}: reading 3DM files needs the package 'rhino3dm'; install it ('pip install "
-            "rhino3dm') or export OBJ"
-        )
-    with Isolated(RhinoReader) as library:
-        try:
-            return library.call(call, os.path.abspath(name), time_limit=_SECONDS)
-        except LibraryError as error:
-            raise InputError(f"{name}: cannot be read ({error}); export OBJ") from None

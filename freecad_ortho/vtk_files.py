@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 import os
-from importlib.util import find_spec
-from pathlib import Path
 
 import numpy as np
 
+from freecad_ortho.file_libraries import FileLibrary
 from solver.errors import InputError
 from solver.io.obj import ObjData
-from solver.isolated import Isolated, LibraryError
 
 ENDINGS = (".vtk", ".vtp", ".vtu", ".vts")
 # Cells by their VTK number: what stands for polygons, and what no surface has.
 _PIXEL, _POLYGONS, _NOTHING = 8, (5, 7, 9), (0, 1, 2, 3, 4)
-_SECONDS = 120.0
+_LIBRARY = FileLibrary("vtkmodules", "vtk", "VTK", "OBJ or PLY", ", it comes with cadquery")
 
 
 class VtkReader:
@@ -58,18 +56,7 @@ def read_vtk(path: str | os.PathLike[str]) -> ObjData:
         InputError: no such file, the library missing, or nothing with faces in it.
     """
     name = os.fspath(path)
-    if not Path(name).is_file():
-        raise InputError(f"{name}: no such file; check the path")
-    if find_spec("vtkmodules") is None:
-        raise InputError(
-            f"{name}: reading VTK files needs the package 'vtk'; install it ('pip install vtk', it "
-            "comes with cadquery) or export OBJ or PLY"
-        )
-    with Isolated(VtkReader) as library:
-        try:
-            points, faces = library.call("polygons", os.path.abspath(name), time_limit=_SECONDS)
-        except LibraryError as error:
-            raise InputError(f"{name}: cannot be read ({error}); export OBJ or PLY") from None
+    points, faces = _LIBRARY.call(VtkReader, "polygons", name)
     if not points or not faces:
         raise InputError(f"{name}: has no vertices or no faces; export the mesh's faces")
     return ObjData(np.array(points, dtype=np.float64), faces, None)

@@ -7,7 +7,7 @@ import sys
 import numpy as np
 import pytest
 
-from freecad_ortho import api, vtk_files
+from freecad_ortho import api, file_libraries
 from freecad_ortho.__main__ import main
 from freecad_ortho.mesh_files import read_mesh_file
 from freecad_ortho.sources import source
@@ -94,7 +94,7 @@ POINTS 6 float
 """
 
 
-@pytest.mark.skipif("vtkmodules" not in sys.modules and not vtk_files.find_spec("vtkmodules"),
+@pytest.mark.skipif("vtkmodules" not in sys.modules and not file_libraries.find_spec("vtkmodules"),
                     reason="vtk is not installed")  # fmt: skip
 def test_vtk_files_are_read_and_damaged_ones_refused(tmp_path):
     path = tmp_path / "net.vtk"
@@ -118,7 +118,7 @@ def test_without_the_library_one_line_says_so(tmp_path, monkeypatch):
     with pytest.raises(InputError, match="no such file"):
         api.read_mesh(path)
     path.write_text("")
-    monkeypatch.setattr(vtk_files, "find_spec", lambda name: None)
+    monkeypatch.setattr(file_libraries, "find_spec", lambda name: None)
     with pytest.raises(InputError, match="needs the package 'vtk'; install it") as caught:
         api.read_mesh(path)
     assert "\n" not in str(caught.value)

@@ -14,11 +14,11 @@ FREECAD = ("FreeCAD", "FreeCADGui", "Part", "PySide", "PySide2", "PySide6", "piv
 CAD = ("cadquery", "OCP", "trimesh", "matplotlib", "ezdxf", "shapely", "vtk")
 # From the ground up: a room imports only from those before it, within functions and for types too.
 ROOMS = (
-    "answers", "solver", "units", "written", "packages", "preferences", "resources", "vtk_files",
-    "rhino_files", "mesh_files", "step_faces", "triangles", "sources", "fabrication", "structural",
-    "option_keywords", "keywords", "fabricating", "standing", "surface_files", "stages", "building",
-    "calls", "convert", "objects", "view", "documents", "stand_in", "api", "cli", "window",
-    "panels", "commands",
+    "answers", "solver", "units", "written", "packages", "preferences", "resources",
+    "file_libraries", "vtk_files", "rhino_files", "mesh_files", "step_faces", "triangles",
+    "sources", "fabrication", "structural", "option_keywords", "keywords", "fabricating",
+    "standing", "surface_files", "stages", "building", "calls", "convert", "objects", "view",
+    "documents", "stand_in", "api", "cli", "window", "panels", "commands",
 )  # fmt: skip
 
 # How many imports of the project's own modules wait until they are needed: what works without a

@@ -9,7 +9,7 @@ import pytest
 import trimesh
 from scipy.spatial import ConvexHull
 
-from freecad_ortho import api, rhino_files
+from freecad_ortho import api, file_libraries, rhino_files
 from freecad_ortho.__main__ import main
 from freecad_ortho.curve_files import read_curves
 from freecad_ortho.fabrication import Beams, Panels, Workshop, build, write
@@ -195,7 +195,7 @@ def test_what_is_no_mesh_is_refused(tmp_path):
 
 def test_the_missing_library_is_named(tmp_path, monkeypatch):
     (tmp_path / "net.3dm").write_bytes(b"3D")
-    monkeypatch.setattr(rhino_files, "find_spec", lambda name: None)
+    monkeypatch.setattr(file_libraries, "find_spec", lambda name: None)
     monkeypatch.delitem(sys.modules, "rhino3dm", raising=False)
     with pytest.raises(InputError, match=r"needs the package 'rhino3dm'; install it"):
         api.read_mesh(tmp_path / "net.3dm")
