@@ -35,7 +35,7 @@ _PLANE = np.radians(0.5)
 
 
 @dataclass(frozen=True, eq=False)
-class Chain:
+class CreaseLine:
     """A piece of creases or border between two corners of faces.
 
     Attributes:
@@ -52,7 +52,7 @@ Side = list[tuple[int, bool]]
 
 
 @dataclass(frozen=True, eq=False)
-class Facets:
+class FlatFaces:
     """Faces as polygons.
 
     Attributes:
@@ -61,12 +61,12 @@ class Facets:
         triangles: of each face.
     """
 
-    chains: list[Chain]
+    chains: list[CreaseLine]
     sides: list[list[Side]]
     triangles: list[IntArray]
 
     @classmethod
-    def of(cls, mesh: TriangleMesh, sharp: BoolArray, edge: float) -> Facets | None:
+    def of(cls, mesh: TriangleMesh, sharp: BoolArray, edge: float) -> FlatFaces | None:
         """Part a surface at its creases.
 
         Args:
@@ -91,7 +91,7 @@ class Facets:
         if any(corner[loop].sum() < 2 for loop in loops):
             return None
         chains: dict[tuple[int, ...], int] = {}
-        made: list[Chain] = []
+        made: list[CreaseLine] = []
         sides = []
         for face, loop in enumerate(loops):
             angles = _angles(mesh, np.flatnonzero(label == face))
@@ -282,7 +282,7 @@ def _sides(
     corner: BoolArray,
     angles: FloatArray,
     chains: dict[tuple[int, ...], int],
-    made: list[Chain],
+    made: list[CreaseLine],
 ) -> list[Side]:
     """The sides of a face; chains that no other face has made are added."""
     at = np.flatnonzero(corner[loop])
@@ -300,7 +300,7 @@ def _sides(
             chains[key] = len(made)
             vertices = np.array(key)
             steps_along = np.diff(mesh.points[vertices], axis=0)
-            made.append(Chain(vertices, float(np.linalg.norm(steps_along, axis=1).sum())))
+            made.append(CreaseLine(vertices, float(np.linalg.norm(steps_along, axis=1).sum())))
         if number in turns:
             found.append([])
         found[-1].append((chains[key], forwards))

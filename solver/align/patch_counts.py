@@ -11,7 +11,7 @@ import numpy as np
 from scipy.optimize import Bounds, LinearConstraint, milp
 from scipy.sparse import coo_array, csr_array
 
-from solver.align.facets import Facets
+from solver.align.facets import FlatFaces
 
 # Lengths that differ by a smaller part of the longest are alike.
 _ALIKE = 1e-5
@@ -25,7 +25,7 @@ _Sum = dict[int, float]
 
 
 def counts_along(
-    facets: Facets, edge: float, even: Sequence[int] = ()
+    facets: FlatFaces, edge: float, even: Sequence[int] = ()
 ) -> tuple[list[int], list[list[int]]] | None:
     """Whole numbers of quads for which ``sum (n - l)^2 / (l + 1)`` over chains is least.
 
@@ -83,7 +83,7 @@ def counts_along(
     return found[:chains], ways
 
 
-def _fitting(facets: Facets, first: int) -> tuple[list[_Sum], list[int], int]:
+def _fitting(facets: FlatFaces, first: int) -> tuple[list[_Sum], list[int], int]:
     """Sums that are zero where faces fit; the first way of each face, and how many numbers."""
     equal: list[_Sum] = []
     starts, total = [], first
@@ -104,7 +104,7 @@ def _fitting(facets: Facets, first: int) -> tuple[list[_Sum], list[int], int]:
     return equal, starts, total
 
 
-def _alike(facets: Facets) -> list[_Sum]:
+def _alike(facets: FlatFaces) -> list[_Sum]:
     """Differences of chains that are as long as each other, between faces as large."""
     lengths = np.array([chain.length for chain in facets.chains])
     around: list[list[int]] = [[] for _ in lengths]

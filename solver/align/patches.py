@@ -13,7 +13,7 @@ from itertools import pairwise
 import numpy as np
 from scipy.spatial import cKDTree
 
-from solver.align.facets import MOST, Facets, Side, carried_on, faces, turning, zipped
+from solver.align.facets import MOST, FlatFaces, Side, carried_on, faces, turning, zipped
 from solver.align.features import Features, creased
 from solver.align.field import GuidingField
 from solver.align.patch_counts import counts_along
@@ -55,7 +55,7 @@ def net_on_flat_faces(
     if not 1 < faces(surface, turning(surface, _FOLDED)) <= MOST:
         return None
     surface = zipped(surface, _HAIR * edge)
-    facets = Facets.of(surface, turning(surface, _FOLDED), edge)
+    facets = FlatFaces.of(surface, turning(surface, _FOLDED), edge)
     if facets is None or not facets.flat(surface):
         return None
     net = net_on_facets(surface, facets, mirrors, edge)
@@ -95,7 +95,7 @@ def net_along_creases(
     if turned < _ACROSS:
         return None
     sharp = carried_on(surface, creased(surface, edge), _GAP * edge)
-    facets = Facets.of(surface, sharp, edge)
+    facets = FlatFaces.of(surface, sharp, edge)
     net = None if facets is None else net_on_facets(surface, facets, mirrors, edge)
     if facets is not None and net is not None:
         remarks.append(
@@ -130,7 +130,7 @@ def _turned(work: Work, guide: GuidingField, edge: float) -> float:
 
 
 def net_on_facets(
-    mesh: TriangleMesh, facets: Facets, mirrors: Sequence[Mirror], edge: float
+    mesh: TriangleMesh, facets: FlatFaces, mirrors: Sequence[Mirror], edge: float
 ) -> QuadMesh | None:
     """A net whose lines run along all creases and the border; None where none is even enough.
 
@@ -150,7 +150,7 @@ def net_on_facets(
 
 
 def _woven(
-    mesh: TriangleMesh, facets: Facets, mirrors: Sequence[Mirror], edge: float
+    mesh: TriangleMesh, facets: FlatFaces, mirrors: Sequence[Mirror], edge: float
 ) -> QuadMesh | None:
     """Edges along creases and border are about as long as given."""
     counts = counts_along(facets, edge, facets.crossing(mesh, mirrors))
@@ -184,7 +184,7 @@ class _Weave:
     marks: list[tuple[int, int]] = field(default_factory=list)
 
     @classmethod
-    def of(cls, facets: Facets, counts: list[int]) -> _Weave:
+    def of(cls, facets: FlatFaces, counts: list[int]) -> _Weave:
         """Number the vertices along chains: first their ends."""
         ends = sorted({int(v) for chain in facets.chains for v in chain.vertices[[0, -1]]})
         number = {vertex: k for k, vertex in enumerate(ends)}
@@ -236,7 +236,7 @@ class _Weave:
                 self.quads.append([low[k], low[k + 1], high[k + 1], high[k]])
 
 
-def _places(mesh: TriangleMesh, facets: Facets, weave: _Weave, edge: float) -> FloatArray:
+def _places(mesh: TriangleMesh, facets: FlatFaces, weave: _Weave, edge: float) -> FloatArray:
     """(V, 3) vertices: evenly along chains, and spread out over each face."""
     places = np.zeros((weave.count, 3))
     for chain, vertices in zip(facets.chains, weave.chains, strict=True):

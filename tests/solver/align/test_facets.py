@@ -7,7 +7,7 @@ import pytest
 
 from solver import Constraints, optimise
 from solver.align.align import aligned
-from solver.align.facets import Facets, carried_on, turning, zipped
+from solver.align.facets import FlatFaces, carried_on, turning, zipped
 from solver.align.features import creased
 from solver.align.patch_counts import counts_along
 from solver.align.triangle_mesh import one_surface
@@ -128,7 +128,7 @@ def test_lines_run_along_groins_that_curvature_crosses(vault):
 def test_a_groin_that_fades_out_at_the_crown_is_carried_on():
     mesh = one_surface(*groined())
     sharp = creased(mesh, 1.6)
-    facets = Facets.of(mesh, carried_on(mesh, sharp, 2.4), 1.6)
+    facets = FlatFaces.of(mesh, carried_on(mesh, sharp, 2.4), 1.6)
     assert [len(sides) for sides in facets.sides] == [3, 3, 3, 3]
     assert len(facets.chains) == 8
 
@@ -136,7 +136,7 @@ def test_a_groin_that_fades_out_at_the_crown_is_carried_on():
 @pytest.mark.parametrize("edge", [0.7, 1.1, 1.9, 2.6])
 def test_numbers_along_sides_fit(edge):
     mesh = one_surface(*sheet(HIP))
-    facets = Facets.of(mesh, turning(mesh, 0.03), edge)
+    facets = FlatFaces.of(mesh, turning(mesh, 0.03), edge)
     along, ways = counts_along(facets, edge)
     for sides, inside in zip(facets.sides, ways, strict=True):
         sums = [sum(along[number] for number, _ in side) for side in sides]
@@ -155,15 +155,15 @@ def test_numbers_along_sides_fit(edge):
 def test_what_is_no_polygon_is_left_to_directions():
     points, triangles = sheet(HIP)
     mesh = one_surface(points, triangles)
-    assert Facets.of(mesh, np.zeros(len(mesh.edges), dtype=bool), 1.2) is None
+    assert FlatFaces.of(mesh, np.zeros(len(mesh.edges), dtype=bool), 1.2) is None
     # A crease that ends inside a face.
     points, triangles = groined()
     mesh = one_surface(points, triangles)
-    assert Facets.of(mesh, creased(mesh, 1.6), 1.6) is None
+    assert FlatFaces.of(mesh, creased(mesh, 1.6), 1.6) is None
     # An opening in a face.
     opened = triangles[np.linalg.norm(points[triangles].mean(axis=1) - [4, 0, 7.5], axis=1) > 1]
     mesh = one_surface(points, opened)
-    assert Facets.of(mesh, carried_on(mesh, creased(mesh, 1.6), 2.4), 1.6) is None
+    assert FlatFaces.of(mesh, carried_on(mesh, creased(mesh, 1.6), 2.4), 1.6) is None
 
 
 def test_faces_that_have_other_vertices_along_their_crease_meet():
