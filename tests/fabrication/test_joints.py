@@ -10,7 +10,7 @@ from freecad_ortho.fabrication.systems import Nodes
 from freecad_ortho.fabrication.systems.panels.bearing import bearings
 from solver.errors import InputError
 from solver.mesh.quadmesh import QuadMesh
-from tests.conftest import demo_roof, grid_faces, shared_mesh
+from tests.conftest import demo_roof, grid_faces, shared_mesh, wavy_grid
 from tests.fabrication.test_beam_sections_and_ends import assert_closed
 
 
@@ -180,6 +180,19 @@ def test_the_clear_gap_is_the_distance_of_the_solids(roof, sizes):
     said = made.report()["panels"]["clear_gap_min_mm"]
     assert said <= nearest + 1e-6
     assert said == pytest.approx(nearest, abs=0.02)
+
+
+def test_the_clear_gap_of_faces_that_are_not_planar():
+    """The two sides of a joint rise differently: the plates are no nearer for that."""
+    net = wavy_grid(4, 6, shear=0.25, height=0.2)
+    net = net.scaled(1000 / net.mean_edge)
+    made = api.fabricate(net, "beams+panels")
+    panels = made.results["panels"].parts
+    pairs = net.connectivity.edge_faces[~net.connectivity.boundary_edges].tolist()
+    nearest = min(panels[i].solid().distance(panels[j].solid()) for i, j in pairs)
+    said = made.report()["panels"]["clear_gap_min_mm"]
+    assert said <= nearest + 1e-6
+    assert said == pytest.approx(nearest, abs=0.005)
 
 
 @pytest.mark.slow

@@ -229,3 +229,9 @@ def test_bad_strips_are_refused():
         Strip(points[:2], unit_rows(points[1:2] - points[:1]).repeat(2, axis=0))
     with pytest.raises(InputError, match="more than half the longest edge"):
         arc_turns(points, 0.1)
+
+
+def test_straightness_is_the_same_wherever_the_points_are():
+    points = np.array([[0.0, 1.0], [1.0, -1.0], [2.0, -1.0], [3.0, 1.0]])
+    for away in ([0.0, 0.0], [10.0, 7.0]):
+        assert straightness(points + away) == pytest.approx(1.0, rel=1e-12)

@@ -179,17 +179,22 @@ def joint_widths(connectivity: Connectivity, sides: FloatArray) -> FloatArray:
     Of faces of several sizes (H,) from sides (H, 4, 3), by half-edges.
 
     Measured square to the plane midway between the two sides, between their nearest corners: what
-    stays clear whatever the lift and the angle of the plates.
+    stays clear whatever the lift and the angle of the plates. Of faces that are not planar the two
+    sides rise differently, and that plane is turned about the upright to run along both.
     """
     here = sides.reshape(-1, 4, 3)
     start, end, high_start = here[:, 0], here[:, 1], here[:, 2]
     outward = unit_rows(np.cross(end - start, high_start - start))
     twins = np.where(connectivity.twins >= 0, connectivity.twins, 0)
-    across = outward - outward[twins]
-    across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-12)
-    near = np.einsum("hek,hk->he", here, across).max(axis=1)
-    far = np.einsum("hek,hk->he", here[twins], across).min(axis=1)
-    widths = np.where(connectivity.twins >= 0, far - near, np.inf)
+    ahead = unit_rows(end - start)
+    along = ahead - ahead[twins]
+    midway = outward - outward[twins]
+    share = np.einsum("hk,hk->h", midway, along) / np.maximum((along**2).sum(axis=1), 1e-12)
+    across = np.stack([midway, midway - share[:, None] * along])
+    across /= np.maximum(np.linalg.norm(across, axis=2, keepdims=True), 1e-12)
+    near = np.einsum("hek,dhk->dhe", here, across).max(axis=2)
+    far = np.einsum("hek,dhk->dhe", here[twins], across).min(axis=2)
+    widths = np.where(connectivity.twins >= 0, (far - near).max(axis=0), np.inf)
     return widths.reshape(sides.shape[:-2])
 
 
