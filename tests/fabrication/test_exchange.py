@@ -233,7 +233,8 @@ def test_bent_sides_are_exact_in_ifc_by_choice(tmp_path):
         for part in job.parts[::3]:
             (shape,) = products[part.name].Representation.Representations
             assert shape.RepresentationType == "AdvancedBrep"
-            text = geom.create_shape(settings, products[part.name]).geometry.brep_data
+            made = geom.create_shape(settings, products[part.name])
+            text = made.geometry.brep_data
             (solid,) = cadquery.Shape.importBrep(io.BytesIO(text.encode())).Solids()
             assert solid.isValid()
             # In metres.
