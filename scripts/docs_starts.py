@@ -1,16 +1,17 @@
 """Writes the tables of docs/nets.md on starts that are not near: freeform surfaces, and noise.
 
 Run with the project's Python:
-    python scripts/docs_starts.py [--write] [--noise]
+    python scripts/docs_starts.py [--write] [--noise] [NET ...]
 
-The first table takes some minutes, the second one, with ``--noise``, more.
+The first table takes some minutes, the second one, with ``--noise``, more. Rows of some nets are
+put in the place of those that stand there.
 """
 
 from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -28,6 +29,7 @@ from solver.report import CONVERGED, Report
 from tests.meshes import freeform_roof, noisy
 
 Options = Mapping[str, Any]
+PAGE = ROOT / "docs" / "nets.md"
 ALL = tuple(SURFACES)
 # Saddles, at least in part; those on which asymptotic lines are found.
 SADDLES, ALIGNED = ("skew saddle", "wave"), ("skew saddle",)
@@ -78,13 +80,14 @@ def worst(report: Report) -> float:
     return max(spread.max for spread in report.residuals.values())
 
 
-def freeform_table() -> str:
-    """Every net on every surface: distance, evenness and area."""
+def freeform_table(names: Sequence[str]) -> str:
+    """Nets on every surface: distance, evenness and area."""
     lines = [
         f"| net | {' | '.join(SURFACES)} | worst |",
         f"| --- |{' --- |' * len(SURFACES)} ---: |",
     ]
-    for name, (net, options, surfaces) in NETS.items():
+    for name in names:
+        net, options, surfaces = NETS[name]
         cells, residual = [], 0.0
         for surface in SURFACES:
             if surface not in surfaces:
@@ -106,7 +109,7 @@ def freeform_table() -> str:
     return "\n".join(lines)
 
 
-def noise_table() -> str:
+def noise_table(names: Sequence[str]) -> str:
     """Starts with noise: how many reach the net, and how evenly their lines bend."""
     roof, dome = freeform_roof(20, 17), sampled("rectangular dome", 22, 16)
     lines = [
@@ -114,8 +117,8 @@ def noise_table() -> str:
         "| area at least |",
         "| --- | --- | --- | ---: | ---: | ---: | ---: |",
     ]
-    for name, weights in NOISY.items():
-        net, options, _ = NETS[name]
+    for name in filter(names.__contains__, NOISY):
+        weights, (net, options, _) = NOISY[name], NETS[name]
         for what, start in {"roof": roof, "dome": dome}.items():
             for weight in weights:
                 found = [
@@ -140,11 +143,25 @@ def noise_table() -> str:
     return "\n".join(lines)
 
 
+def merged(table: str, part: str) -> str:
+    """Rows of some nets among those of the others that stand in the document."""
+    mark = f"<!-- {part} table: "
+    standing = PAGE.read_text(encoding="utf-8").split(mark)[1].split("\n", 1)[1].splitlines()
+    head, rows = table.splitlines()[:2], table.splitlines()[2:]
+    new = {row.split(" | ")[0] for row in rows}
+    kept = [row for row in standing[2:] if row and row.split(" | ")[0] not in new]
+    places = [f"| {name}" for name in NETS]
+    whole = sorted([*kept, *rows], key=lambda row: places.index(row.split(" | ")[0]))
+    return "\n".join([*head, *whole])
+
+
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--write", action="store_true", help="update docs/nets.md")
     parser.add_argument("--noise", action="store_true", help="starts with noise instead")
+    parser.add_argument("nets", nargs="*", metavar="NET", help="only rows of these")
     chosen = parser.parse_args()
-    table = noise_table() if chosen.noise else freeform_table()
+    part = "noise" if chosen.noise else "starts"
+    table = (noise_table if chosen.noise else freeform_table)(chosen.nets or list(NETS))
     if chosen.write:
-        write(ROOT / "docs" / "nets.md", "noise" if chosen.noise else "starts", table)
+        write(PAGE, part, merged(table, part) if chosen.nets else table)
