@@ -4,6 +4,7 @@ usage: python scripts/docs_align.py                     print the table
        python scripts/docs_align.py --write             write it into the page
        python scripts/docs_align.py --follow [--write]  the table of nets that follow the border
        python scripts/docs_align.py --picture FILE.png  draw the nets
+       python scripts/docs_align.py --roofs FILE.png    draw nets on roofs with creases
        python scripts/docs_align.py --random 40         try random surfaces
 
 Surfaces are given as 120 x 72 x 2 triangles, aligned with edges of 1.1 m by the command line, then
@@ -46,7 +47,8 @@ from solver.mesh.closest import TriangleSurface  # noqa: E402
 from solver.mesh.grid import grid_mesh  # noqa: E402
 from solver.mesh.quadmesh import FloatArray  # noqa: E402
 from solver.nets.constraints import BoundaryGlide  # noqa: E402
-from tests.design_surfaces import random_surface  # noqa: E402
+from tests.design_surfaces import BENT, HIP, groined, random_surface  # noqa: E402
+from tests.design_surfaces import sheet as roof_of  # noqa: E402
 
 PAGE = ROOT / "docs" / "sources.md"
 BEGIN, END = "<!-- align -->\n", "<!-- /align -->"
@@ -275,12 +277,27 @@ def picture(target: str) -> None:
     draw(panels, target)
 
 
+def roofs(target: str) -> None:
+    """Nets on a hip roof, one with a valley, and a cross vault, with irregular vertices."""
+    panels = []
+    for name, given in (
+        ("hip roof", roof_of(HIP)),
+        ("two wings and a valley", roof_of(BENT)),
+        ("cross vault", groined()),
+    ):
+        made = aligned(*given, edge=1.2)
+        points = made.mesh.vertices[made.irregular]
+        panels.append(Panel(name, made.mesh, points=points, rise=48.0))
+    draw(panels, target)
+
+
 def main() -> None:
     """Read the command line and make the table, or the picture."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--write", action="store_true")
     parser.add_argument("--follow", action="store_true", help="nets that follow the border")
     parser.add_argument("--picture", metavar="FILE.png")
+    parser.add_argument("--roofs", metavar="FILE.png")
     parser.add_argument("--random", metavar="N", type=int)
     given = parser.parse_args()
     if given.random:
@@ -289,6 +306,9 @@ def main() -> None:
         return
     if given.picture:
         picture(given.picture)
+        return
+    if given.roofs:
+        roofs(given.roofs)
         return
     made = follow_table() if given.follow else table()
     if not given.write:

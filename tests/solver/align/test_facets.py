@@ -13,38 +13,9 @@ from solver.align.patch_counts import counts_along
 from solver.align.triangle_mesh import one_surface
 from solver.analysis import measures
 from solver.mesh.closest import TriangleSurface
+from tests.design_surfaces import BENT, GABLE, HIP, groined, sheet
 
-HIP = (
-    [(0, 0, 0), (24, 0, 0), (24, 12, 0), (0, 12, 0), (6, 6, 3.5), (18, 6, 3.5)],
-    [(0, 1, 5), (0, 5, 4), (1, 2, 5), (2, 3, 4), (2, 4, 5), (3, 0, 4)],
-)
-# Two wings of 8 m with a valley between them.
-BENT = (
-    [(0, 0, 0), (20, 0, 0), (20, 8, 0), (8, 8, 0), (8, 20, 0), (0, 20, 0)]
-    + [(4, 4, 2.5), (20, 4, 2.5), (4, 20, 2.5)],
-    [(0, 1, 7), (0, 7, 6), (2, 3, 6), (2, 6, 7), (3, 4, 8), (3, 8, 6), (5, 0, 6), (5, 6, 8)],
-)
-GABLE = (
-    [(0, 0, 0), (20, 0, 0), (20, 10, 0), (0, 10, 0), (0, 5, 3), (20, 5, 3)],
-    [(0, 1, 5), (0, 5, 4), (2, 3, 4), (2, 4, 5)],
-)
 UP = np.array([0.3, -0.2, 0.933])
-
-
-def sheet(roof):
-    return np.array(roof[0], dtype=float), np.array(roof[1])
-
-
-def groined(n=41, half=6.0, radius=7.5):
-    """Two barrels over a square, the higher one everywhere, diagonals along their groins."""
-    x, y = (c.ravel() for c in np.meshgrid(*2 * [np.linspace(-half, half, n)], indexing="ij"))
-    points = np.column_stack([x, y, np.sqrt(radius**2 - np.minimum(x**2, y**2))])
-    k = np.arange(n * n).reshape(n, n)
-    a, b, c, d = (q.ravel() for q in (k[:-1, :-1], k[1:, :-1], k[1:, 1:], k[:-1, 1:]))
-    up = points[[a, b, c, d], 0].mean(axis=0) * points[[a, b, c, d], 1].mean(axis=0) > 0
-    one = np.where(up[:, None], np.stack([a, b, c], 1), np.stack([a, b, d], 1))
-    two = np.where(up[:, None], np.stack([a, c, d], 1), np.stack([b, c, d], 1))
-    return points, np.concatenate([one, two])
 
 
 @pytest.fixture(scope="module")
