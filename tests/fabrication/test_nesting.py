@@ -212,6 +212,16 @@ def test_sheets_on_which_nothing_fits_are_refused_with_all_names(plates, structu
     assert not (tmp_path / "never").exists()
 
 
+def test_the_sheet_of_the_store_with_the_least_area_is_taken(plates):
+    """Whichever of its sides is the shorter one."""
+    size = plates[0].pattern.size
+    long, square = (4 * size.max(), size.max() + 20), (1.6 * size.max() + 30,) * 2
+    store = ",".join(f"{a:.0f}x{b:.0f}" for a, b in (long, square))
+    shop = Workshop(sheet=(9000.0, 9000.0), sheet_sizes=store)
+    (sheet,) = nest(plates[:1], shop).sheets
+    assert sheet.width == pytest.approx(square[0], abs=0.5) and square[1] > long[1]
+
+
 def test_one_part_does_not_fit_and_two_do_not(plates):
     shop = Workshop(sheet=(300.0, 100.0))
     assert "sheet: 1 part does not fit on" in too_large_words(plates[:1], shop)

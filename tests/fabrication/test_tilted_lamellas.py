@@ -87,6 +87,19 @@ def slanted(name: str, points: np.ndarray, upright: np.ndarray, vertices: tuple[
     return Lamella(name, name[2].lower(), 0, vertices, stations, ribbon, measures, *kinds)
 
 
+def test_a_twisted_plate_is_thick_square_to_its_rulings():
+    """The way to the upper side, half the thickness, wherever the plate has turned to."""
+    points = np.linspace(-500.0, 500.0, 3)[:, None] * [1.0, 0.0, 0.0]
+    turn = np.radians([0.0, 25.0, 50.0])
+    rulings = np.stack([0 * turn, np.sin(turn), np.cos(turn)], axis=1)
+    ribbon = Ribbon(twisted_strip(points, rulings, None, follow=True), -30.0, 30.0, 4.0)
+    across = ribbon.flat_across[1]
+    middle = ribbon.strip.flat_points[1] + 200.0 * np.array([across[1], -across[0]])
+    places, up = ribbon.placed(1, middle + np.array([[-20.0], [20.0]]) * across)
+    assert np.linalg.norm(up, axis=1) == pytest.approx(2.0, rel=1e-12)
+    assert up @ (places[1] - places[0]) == pytest.approx(0.0, abs=1e-9)
+
+
 def test_a_slot_lets_a_plate_pass_that_leans_otherwise_up_to_a_slanted_edge():
     # In the plane y = 0 one stands at 50 degrees, the other, along y, at 35: they meet at y = 0 in
     # the line x = z tan(35), 4 / cos(35) mm wide there, and part at the edge z = 30.
