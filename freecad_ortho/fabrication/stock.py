@@ -146,7 +146,7 @@ def different_tubes(
         parts: whatever there is.
         tolerance: by which their heights may differ from the middle one, percent.
     """
-    tubes = [part for part in parts if part.pattern is None and part.line is not None]
+    tubes = [part for part in parts if is_sawn(part)]
     groups: list[list[Part]] = []
     spread = (100 + tolerance) / (100 - tolerance)
     for part in sorted(tubes, key=lambda part: (*_bar_kind(part), part.width)):
@@ -173,6 +173,12 @@ def is_along_line(part: Part) -> bool:
     return part.face is None and part.line is not None
 
 
+def is_sawn(part: Part) -> bool:
+    """Whether a part is sawn from a tube or another section: edge beams and posts of feet too."""
+    ordered = part.line is not None or bool(part.section) or part.section_width is not None
+    return part.pattern is None and ordered
+
+
 def _alike(parts: Sequence[Part], tolerance: float) -> list[Sequence[Part]]:
     """Parts that may share a bar: plates of one material, kind and thickness, then tubes."""
     plates: dict[tuple[str, str, str, float, float], list[Part]] = {}
@@ -195,6 +201,8 @@ def _section(parts: Sequence[Part]) -> str:
 
 
 def _is_linear(part: Part) -> bool:
+    if is_sawn(part):
+        return True
     return is_along_line(part) and _width(part) <= _CURVED * part.section_height
 
 

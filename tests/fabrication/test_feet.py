@@ -9,7 +9,9 @@ from freecad_ortho.fabrication import Beams, Panels, build, write
 from freecad_ortho.fabrication.bolts import bolt_of
 from freecad_ortho.fabrication.clash import check_clashes
 from freecad_ortho.fabrication.material import material
+from freecad_ortho.fabrication.stock import stock_list
 from freecad_ortho.fabrication.systems import EdgeBeam, Feet, Nodes, systems_of
+from freecad_ortho.fabrication.workshop import Workshop
 from solver.errors import InputError
 from solver.mesh.quadmesh import QuadMesh
 from tests.fabrication.conftest import grid_faces
@@ -70,6 +72,19 @@ def test_feet_and_bolted_nodes_are_of_metal(sheet, name, own):
     assert {kinds[kind] for kind in kinds.keys() - {"beam"}} == {own}
     hubs = build(sheet, [Beams(200, 12, ends="hub"), Nodes()], material=material(name))
     assert {part.material.name for part in hubs.parts} == {name}
+
+
+def test_posts_and_edge_beams_are_sawn_from_bars(sheet):
+    """Each part without a flat pattern is on one bar of its section, long enough for its parts."""
+    structure = build(sheet, [EdgeBeam("tube", 200, width=80, wall=5), Beams(200, 12), Feet()])
+    stock = stock_list(structure.parts, Workshop())
+    lengths = {part.name: part.length for part in structure.parts if part.pattern is None}
+    sawn = [bar for bar in stock.bars if bar.kind in ("edge-beam", "foot")]
+    assert sorted(name for bar in sawn for name in bar.parts) == sorted(lengths)
+    assert {bar.section for bar in sawn if bar.kind == "foot"} == {"chs:88.9x5"}
+    assert {bar.section for bar in sawn if bar.kind == "edge-beam"} == {"tube 200 x 80 x 5"}
+    for bar in sawn:
+        assert sum(lengths[name] for name in bar.parts) < bar.used <= bar.length
 
 
 def test_base_plates_are_level_below_their_vertices(sheet):
