@@ -30,7 +30,7 @@ DOCUMENT = bench.ROOT / "docs" / "fabrication.md"
 SIZES = (1338, 10208)
 # Above it only what opens soonest is measured: what the others take grows with the square of the
 # number of parts.
-LARGE = 1500
+LARGE = 2500
 FORMS = ("one", "in-place")
 HEAD = (
     "| parts | `--step` | size | opens in | with *Use LinkGroup* |\n"
