@@ -18,6 +18,7 @@ from freecad_ortho.units import millimetres_per
 from freecad_ortho.words import counted
 from solver.align.align import Aligned, aligned
 from solver.align.crosses import Singular
+from solver.errors import InputError
 from solver.mesh.connectivity import IntArray
 from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.quadmesh import FloatArray, QuadMesh
@@ -159,13 +160,26 @@ class SurfaceFile:
         area = 0.5 * float(np.linalg.norm(np.cross(one, two), axis=1).sum())
         if singularities is not None:
             singularities = replace(singularities, places=origin.near(singularities.places))
-        made = aligned(
-            *(near, triangles),
-            edge=edge or edge_for(area, ratio),
-            ratio=ratio,
-            strokes=[origin.near(stroke) for stroke in strokes],
-            singularities=singularities,
-            waiting=waiting,
-            **told,
-        )
-        return Found(made, self.unit, origin)
+        try:
+            made = aligned(
+                *(near, triangles),
+                edge=edge or edge_for(area, ratio),
+                ratio=ratio,
+                strokes=[origin.near(stroke) for stroke in strokes],
+                singularities=singularities,
+                waiting=waiting,
+                **told,
+            )
+        except InputError as error:
+            told_from = _told_from(origin, str(error))
+            raise InputError(f"{error}; {told_from}" if told_from else str(error)) from None
+        told_from = _told_from(origin, *made.remarks)
+        remarks = (*made.remarks, told_from) if told_from else made.remarks
+        return Found(replace(made, remarks=remarks), self.unit, origin)
+
+
+def _told_from(origin: LocalOrigin, *words: str) -> str:
+    """What places in some sentences are told from, where that is not the origin of the file."""
+    if not origin.far or not any(" (" in word for word in words):
+        return ""
+    return "places are told from (" + ", ".join(f"{x:.12g}" for x in origin.shift) + ")"

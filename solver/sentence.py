@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 
@@ -47,6 +48,11 @@ class Sentence(str):
     def __getnewargs__(self) -> tuple[object, ...]:  # type: ignore[override]
         """What makes it again where it is copied or stored."""
         return (self.pattern, *self.values)
+
+
+def at(place: Iterable[float]) -> str:
+    """A place (3,) in words, with as many digits as tell where to look."""
+    return "(" + ", ".join(f"{x:.4g}" for x in place) + ")"
 
 
 def _listed(value: object) -> object:

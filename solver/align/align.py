@@ -28,7 +28,14 @@ from solver.align.options import OPTIONS
 from solver.align.overhang import carried_on
 from solver.align.patches import net_along_creases, net_on_flat_faces
 from solver.align.prepare import Work, openings, prepared
-from solver.align.remarks import BUNCHED, say_border, say_bunched, say_strokes, short_edges
+from solver.align.remarks import (
+    BUNCHED,
+    say_border,
+    say_bunched,
+    say_openings,
+    say_strokes,
+    short_edges,
+)
 from solver.align.seamless import FIRM, seamless_map
 from solver.align.seams import seams
 from solver.align.symmetry import (
@@ -49,7 +56,7 @@ from solver.mesh.connectivity import IntArray
 from solver.mesh.intake import quad_mesh
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.mesh.triangles import sound_triangles
-from solver.sentence import Measured, Sentence
+from solver.sentence import Sentence, at
 
 # Quads that are made, at least and at most.
 _FEWEST, _MOST = 6, 100_000
@@ -156,7 +163,7 @@ def aligned(
     say_strokes(work.mesh, guide, lines, edge, net, remarks)
     asked = _Asked.of(work, guide, (edge, edge * ratio), follows, lines, singularities, mirrors)
     mesh, field = _mapped(asked, waiting, remarks)
-    _say_openings(smooth, loops, mesh, remarks)
+    say_openings(smooth, loops, mesh, remarks)
     say_bunched(mesh, min(edge, edge * ratio), remarks)
     # What was not smoothed is where it was given.
     kept = smooth.points[: len(given.points)]
@@ -345,7 +352,7 @@ def _trials(asked: _Asked, waiting: Callable[[str], object]) -> Iterator[_Trial]
                 found = quads(mesh, cut, made, work.inner)
                 crossing = _crossing(found)
             if crossing is not None:
-                refusal = f"map: lines run into each other near {_at(crossing)}; {_REMEDY}"
+                refusal = f"map: lines run into each other near {at(crossing)}; {_REMEDY}"
                 yield _Trial(field, close, refusal=refusal)
                 continue
             places = carried_on(mesh, cut, made, found)
@@ -353,7 +360,7 @@ def _trials(asked: _Asked, waiting: Callable[[str], object]) -> Iterator[_Trial]
                 net = unfolded(quad_mesh(places, found.faces.tolist())[0], mesh)
             except InputError as error:
                 where = mesh.centres[made.folded[0]] if len(made.folded) else places.mean(axis=0)
-                refusal = f"map: it folds near {_at(where)} ({error}); {_REMEDY}"
+                refusal = f"map: it folds near {at(where)} ({error}); {_REMEDY}"
                 yield _Trial(field, close, refusal=refusal)
                 continue
             try:
@@ -381,25 +388,3 @@ def _crossing(found: Quads) -> FloatArray | None:
         ]
     )
     return found.places[wrong[0]] if len(wrong) else None
-
-
-def _at(place: FloatArray) -> str:
-    return "(" + ", ".join(f"{x:.4g}" for x in place) + ")"
-
-
-def _say_openings(
-    surface: TriangleMesh, loops: list[list[int]], mesh: QuadMesh, remarks: list[str]
-) -> None:
-    """Name openings that the net runs over: the smallest, as many as it has too few."""
-    spans = [float(np.linalg.norm(np.ptp(surface.points[loop], axis=0))) for loop in loops]
-    closed = len(loops) - len(mesh.connectivity.boundary_loops)
-    for k in np.argsort(spans)[: max(closed, 0)].tolist():
-        place = surface.points[loops[k]].mean(axis=0)
-        remarks.append(
-            Sentence(
-                "the opening at {}, {} across, is too small for faces of this size: lines run over "
-                "it; a shorter edge keeps it",
-                _at(place),
-                Measured(spans[k]),
-            )
-        )

@@ -26,6 +26,7 @@ from solver.errors import InputError
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray
+from solver.sentence import at
 
 _WORDS = "3, 5 or 6"
 # In edges, how far from the surface a singular vertex may be given.
@@ -83,7 +84,7 @@ class Wanted:
         wrong = np.flatnonzero((given != 0) & ~np.isin(4 - given, VALENCES))
         if len(wrong):
             raise InputError(
-                f"singularities: those at {_at(mesh.points[wrong[0]])} make a vertex with "
+                f"singularities: those at {at(mesh.points[wrong[0]])} make a vertex with "
                 f"{4 - given[wrong[0]]} lines, nets have {_WORDS}; move them apart"
             )
         return cls(given, own, bool(bound.any()))
@@ -124,7 +125,7 @@ def _checked(work: Work, singular: Singular, edge: float) -> tuple[FloatArray, I
         far = int(np.argmax(off))
         if off[far] > _OFF * edge:
             raise InputError(
-                f"singularities: {_at(places[far])} is {off[far]:.3g} off the surface, more than "
+                f"singularities: {at(places[far])} is {off[far]:.3g} off the surface, more than "
                 "an edge; put it onto it (is the unit right?)"
             )
     return places, valences.astype(np.int64)
@@ -171,7 +172,7 @@ def given_field(
             return DirectionField(angles, found)
     where = mesh.points[np.flatnonzero(found != quarters)[0]]
     raise InputError(
-        f"singularities: the triangles near {_at(where)} are too coarse to turn so much there; "
+        f"singularities: the triangles near {at(where)} are too coarse to turn so much there; "
         "move them, or give a finer surface"
     )
 
@@ -300,7 +301,3 @@ def _solved(matrix: csc_array, right: FloatArray) -> FloatArray:
     )
     found: FloatArray = factors.solve(right)
     return found
-
-
-def _at(place: FloatArray) -> str:
-    return "(" + ", ".join(f"{x:.4g}" for x in place) + ")"

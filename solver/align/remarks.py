@@ -13,7 +13,7 @@ from solver.align.guides import walked
 from solver.align.triangle_mesh import TriangleMesh
 from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
-from solver.sentence import Sentence
+from solver.sentence import Measured, Sentence, at
 
 # Degrees to the lines of curvature from which on no exact net keeps a border, and a stroke.
 _ASKEW, _ACROSS = 2.0, 10.0
@@ -145,3 +145,28 @@ def say_bunched(mesh: QuadMesh, edge: float, remarks: list[str]) -> None:
             100 * short / edge,
         )
     )
+
+
+def say_openings(
+    surface: TriangleMesh, loops: list[list[int]], mesh: QuadMesh, remarks: list[str]
+) -> None:
+    """Name openings that the net runs over: the smallest, as many as it has too few.
+
+    Args:
+        surface: that the net was made on.
+        loops: vertices around each of its openings, and its border.
+        mesh: the net.
+        remarks: gets the sentences.
+    """
+    spans = [float(np.linalg.norm(np.ptp(surface.points[loop], axis=0))) for loop in loops]
+    closed = len(loops) - len(mesh.connectivity.boundary_loops)
+    for k in np.argsort(spans)[: max(closed, 0)].tolist():
+        place = surface.points[loops[k]].mean(axis=0)
+        remarks.append(
+            Sentence(
+                "the opening at {}, {} across, is too small for faces of this size: lines run over "
+                "it; a shorter edge keeps it",
+                at(place),
+                Measured(spans[k]),
+            )
+        )

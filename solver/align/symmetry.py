@@ -22,7 +22,7 @@ from solver.mesh.closest import TriangleSurface
 from solver.mesh.connectivity import IntArray
 from solver.mesh.intake import quad_mesh
 from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
-from solver.sentence import Sentence
+from solver.sentence import Sentence, at
 
 # What may be asked for: no planes, those that are found, or those across an axis.
 SYMMETRIES = ("none", "auto", "x", "y", "z", "x,y", "x,y,xy")
@@ -100,7 +100,7 @@ def mirrors_of(
             if off > _GIVEN * edge:
                 raise InputError(
                     f"symmetry: mirrored in the plane {mirror} the surface is {off:.3g} off itself "
-                    f"near {_at(place)}; leave the symmetry out, or mend the surface"
+                    f"near {at(place)}; leave the symmetry out, or mend the surface"
                 )
         return found
     found = _found(surface, box, edge)
@@ -271,7 +271,7 @@ def _half_net(net: QuadMesh, mirror: Mirror, near: float) -> QuadMesh:
     if len(wrong):
         place = net.vertices[net.faces[wrong[0]]].mean(axis=0)
         raise InputError(
-            f"symmetry: near {_at(place)} no line runs along the plane {mirror}; give a shorter "
+            f"symmetry: near {at(place)} no line runs along the plane {mirror}; give a shorter "
             "edge, or leave the symmetry out"
         )
     over, under = (net.faces[both][sides[both] == sign] for sign in (1, -1))
@@ -340,7 +340,3 @@ def with_images(lines: Sequence[FloatArray], mirrors: Sequence[Mirror]) -> list[
     for mirror in mirrors:
         found += [mirror.images(line) for line in found]
     return found
-
-
-def _at(place: FloatArray) -> str:
-    return "(" + ", ".join(f"{x:.4g}" for x in place) + ")"

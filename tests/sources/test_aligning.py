@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pytest
 
@@ -71,3 +73,25 @@ def test_an_edge_length_for_600_faces():
     assert edge_for(1200.0, 2.0) == 1.0
     with pytest.raises(ValueError, match="ratio"):
         edge_for(600.0, 0.0)
+
+
+def test_places_far_from_the_origin_are_told_from_a_point_that_is_said():
+    u, v = np.meshgrid(np.linspace(0, 1, 40), np.linspace(0, 1, 40), indexing="ij")
+    points = np.stack(saddle(u, v), axis=-1).reshape(-1, 3)
+    k = np.arange(1600).reshape(40, 40)
+    corners = [k[:-1, :-1], k[1:, :-1], k[1:, 1:], k[:-1, 1:]]
+    first, second, third, fourth = (corner.ravel() for corner in corners)
+    faces = np.concatenate(
+        [np.stack(c, 1) for c in ((first, second, third), (first, third, fourth))]
+    )
+    middles = points[faces].mean(axis=1)
+    place = points[k[20, 20]]
+    faces = faces[np.linalg.norm(middles - place, axis=1) > 0.6]
+    here = SurfaceFile("m", mesh=(points, faces)).aligned(edge=3.0).net.remarks
+    shift = np.array([4.0e5, 5.0e6, 0.0])
+    there = SurfaceFile("m", mesh=(points + shift, faces)).aligned(edge=3.0).net.remarks
+    numbers = re.search(r"places are told from \(([^)]*)\)", there[-1]).group(1)
+    told = re.search(r"the opening at \(([^)]*)\)", there[0]).group(1)
+    origin, at = (np.array([float(x) for x in words.split(",")]) for words in (numbers, told))
+    np.testing.assert_allclose(origin + at, place + shift, atol=0.3)
+    assert not any("told from" in remark for remark in here)
