@@ -12,6 +12,7 @@ from freecad_ortho.structural.check import StructuralCheck
 from freecad_ortho.structural.combinations import Combination
 from freecad_ortho.structural.groups import Group
 from freecad_ortho.structural.model import Model
+from freecad_ortho.structural.strength import used_share
 from freecad_ortho.structural.words import NOT_CHECKED, assumptions, loads, warnings
 
 # Most members in the list of those that are used most.
@@ -82,7 +83,7 @@ def _most_used(check: StructuralCheck) -> list[dict[str, Any]]:
             {
                 "member": member,
                 "family": check.model.families[member],
-                "used": f"{100 * check.utilisation[member]:.0f} %",
+                "used": used_share(check.utilisation[member]),
                 "by": by.by(member),
                 "N_kN": n / 1e3,
                 "T_kNm": t / 1e6,

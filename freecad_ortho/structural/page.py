@@ -13,6 +13,7 @@ from freecad_ortho.structural.check import ENOUGH, CombinationResult, Structural
 from freecad_ortho.structural.diagram_pictures import diagram_picture
 from freecad_ortho.structural.diagrams import FORCES, drawn_combination, forces_along
 from freecad_ortho.structural.pictures import frame_picture
+from freecad_ortho.structural.strength import used_share
 from freecad_ortho.structural.words import NOT_CHECKED, assumptions, loads, warnings
 from solver.mesh.quadmesh import FloatArray
 
@@ -162,12 +163,12 @@ def _combinations(check: StructuralCheck) -> str:
     rows = []
     for one in check.found:
         factors = [] if one.buckling is None else one.buckling.factors.tolist()
-        used = 100 * float(one.utilisation.max())
+        used = used_share(float(one.utilisation.max()))
         strength = one in check.strength
         rows.append(
             (
                 one.combination.name,
-                f"{used:.0f} %" if strength else "",
+                used if strength else "",
                 ", ".join(f"{factor:.2f}" for factor in factors),
                 "" if one.bent is None else f"{100 * one.bent:.0f} %",
                 "" if one.membrane is None else f"{100 * one.membrane.carried:.0f} %",
@@ -210,7 +211,7 @@ def _governing(check: StructuralCheck) -> str:
         rows.append(
             (
                 f"{member} ({check.model.families[member]})",
-                f"{100 * check.utilisation[member]:.0f} %",
+                used_share(check.utilisation[member]),
                 by.by(member),
                 *(f"{forces[k] / 1e3:.2f}" for k in range(3)),
                 *(f"{forces[k] / 1e6:.3f}" for k in range(3, 6)),

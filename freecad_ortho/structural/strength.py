@@ -229,6 +229,13 @@ def used_words(utilisation: float) -> str:
     return f"beyond {100 * _ABSURD:,.0f} % (are the units of net and loads right?)"
 
 
+def used_share(utilisation: float) -> str:
+    """How far something is used, for a table."""
+    if utilisation <= _ABSURD:
+        return f"{100 * utilisation:.0f} %"
+    return f"> {100 * _ABSURD:,.0f} %"
+
+
 def torsion_modulus(profile: Profile) -> float:
     """Torque by the shear stress that it makes, mm3: Bredt for hollow, J / t for open sections.
 

@@ -8,6 +8,7 @@ import pytest
 
 from freecad_ortho import api
 from freecad_ortho.structural.files import FILES
+from freecad_ortho.structural.numbers import check_numbers
 from freecad_ortho.structural.words import assumptions, warnings
 from solver.errors import InputError
 from solver.mesh.primitives import primitive
@@ -262,3 +263,4 @@ def test_panels_stiffen_where_they_are_told_to(dome, checked):
 def test_what_only_wrong_units_come_to_is_asked_for(dome):
     found = api.check_structure(dome, unit="m", snow=1e9, modes=1)
     assert "beyond 100,000 % (are the units of net and loads right?)" in found.verdict
+    assert check_numbers(found)["governing_members"][0]["used"] == "> 100,000 %"
