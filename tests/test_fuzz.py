@@ -33,6 +33,8 @@ from solver.nets import NETS
 from tests.conftest import wavy_grid
 
 CALLS, FILES = 300, 600
+# Verbs that need files or libraries that are not given here.
+HELPLESS = {"faces", "quads", "fit-multinet"}
 # No call may take longer, in seconds.
 LONGEST = 30
 NUMBERS = "0 -1 1e-300 1e300 1e400 inf -inf nan x 1_0".split() + [""]
@@ -239,13 +241,19 @@ def finished_stages(words) -> list[Path]:
     return [folder, report, *(folder / name for stage in stages for name in stage["files"])]
 
 
+def called(known, done):
+    """Each verb in turn, then those again that did not yet do what they are for."""
+    yield from (known[call % len(known)] for call in range(CALLS))
+    for _ in range(CALLS // 3):
+        yield from [verb for verb in known if verb not in done | HELPLESS][:1]
+
+
 def test_every_verb_ends_in_a_code_and_one_line(tmp_path, capsys, monkeypatch, library_fails):
     # A word out of the lists may name a file to write.
     monkeypatch.chdir(tmp_path)
     dice, known, sound = random.Random(11), verbs(), texts()
     done = set()
-    for call in range(CALLS):
-        verb = list(known)[call % len(known)]
+    for call, verb in enumerate(called(list(known), done)):
         folder = tmp_path / str(call)
         folder.mkdir()
         name = dice.choice(list(sound))
@@ -270,8 +278,7 @@ def test_every_verb_ends_in_a_code_and_one_line(tmp_path, capsys, monkeypatch, l
             kept = finished_stages(words) if verb == "build" else []
             left = [entry for entry in listing(folder) if Path(entry[0]) not in kept]
             assert left == before, told
-    # These need files or libraries that are not given here.
-    assert set(known) - done <= {"faces", "quads", "fit-multinet"}
+    assert set(known) - done <= HELPLESS
 
 
 def test_every_reader_reads_or_refuses_in_one_line(tmp_path):
@@ -303,7 +310,7 @@ def test_every_reader_reads_or_refuses_in_one_line(tmp_path):
         (["convert", "MESH", "-o", "n" * 300 + ".obj"], "(File name too long); choose a shorter"),
         (["fabricate", "MESH", "-o", "n" * 300], "(File name too long); choose a shorter name"),
         (["quads", "MESH", "--faces", "9", "--time-limit", "inf", "-o", "o.obj"], "finite number"),
-        (["quads", "MESH", "--faces", "9", "--time-limit", "3601", "-o", "o.obj"], "3600 at most"),
+        (["quads", "MESH", "--faces", "9", "--time-limit", "3601", "-o", "o.obj"], "3,600 at most"),
         (["optimise", "MESH", "--fix", HUGE, "-o", "o.obj"], f"vertex {HUGE} does not exist"),
         (["optimise", "MESH", "--fix", f"0,-{HUGE}", "-o", "o.obj"], f"vertex -{HUGE} does not"),
         (["fabricate", "MESH", "--sheet", "1e23x9" + "0" * 22, "-o", "o"], "expected WxH"),

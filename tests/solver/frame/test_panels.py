@@ -97,7 +97,7 @@ def test_supports_that_slide_aslant_feel_the_panel_too():
         fixed[0, :3], fixed[1, 1:3], fixed[2:, 1] = True, True, True
         directions = np.broadcast_to(rotation.T, (4, 3, 3))
         supports = frames.Supports(fixed, np.zeros((4, 6)), directions)
-        found = response(frames.System(built, supports), loads)
+        found = response(frames.FrameSystem(built, supports), loads)
         moved.append(found.displacements[:, :3] @ rotation)
         assert imbalance(built, loads, found.reactions) < 1e-12
     assert moved[1] == pytest.approx(moved[0], rel=1e-9, abs=1e-9)

@@ -214,7 +214,7 @@ def test_border_rings_come_off():
         (lambda: subdivided(wavy_grid(3, 3), 0), "levels: expected a whole number, 1 or more"),
         (lambda: catmull_clark(wavy_grid(3, 3), 40), "take fewer"),
         (lambda: coarsened(wavy_grid(6, 5), 2), "trim rows"),
-        (lambda: coarsened(wavy_grid(6, 5), 1), "at least 2"),
+        (lambda: coarsened(wavy_grid(6, 5), 1), "every: expected a whole number, 2 or more"),
         (lambda: coarsened_grid(primitive("sphere", 8, 5), 3), "divides the 8"),
         (lambda: coarsened_grid(star_of(5, 2)), "grid type"),
         (lambda: grid_of(pinched_grid()), "grid type"),

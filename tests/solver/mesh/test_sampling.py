@@ -179,7 +179,7 @@ def eight(u, v):
         (ParametricSurface(eight, (0.1, 6.0), (0.0, 1.0)), {"counts": (30, 5)}, "meets itself"),
         (WHOLE, {"counts": (1, 5)}, "at least 2 vertices along u"),
         (WHOLE, {"counts": (5, 5), "edge": 0.2}, "either counts or an edge"),
-        (WHOLE, {"counts": None, "edge": -0.2}, "positive length"),
+        (WHOLE, {"counts": None, "edge": -0.2}, "edge: expected a number above 0"),
         (WHOLE, {"counts": None, "edge": 1e-5}, "more than"),
         (WHOLE, {"spacing": "random"}, "length or parameter"),
         (WHOLE, {"outside": "keep"}, "snap or drop"),
