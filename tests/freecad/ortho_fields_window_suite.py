@@ -107,6 +107,11 @@ class TestUnits(WindowCase):
     def test_the_words_for_an_absent_number_go_when_one_is_typed(self):
         field = LengthField(0.0, absent="automatic")
         self.assertEqual((field.widget.text(), field.millimetres), ("automatic", 0.0))
+        for length, words in ((120.0, "120 mm"), (0.0, "automatic")):
+            field.millimetres = length
+            field.widget.show()
+            wait(seconds=0.05)
+            self.assertEqual((field.widget.text(), field.millimetres), (words, length))
         self.type(field.widget, "3 m")
         self.assertEqual(field.millimetres, 3000.0)
         self.type(field.widget, "0")

@@ -10,11 +10,11 @@ import Part
 from ortho_mouse_tools import Hand
 from ortho_suite_cases import WindowCase
 from ortho_suite_tools import press, vertices, wait
-from PySide import QtCore, QtGui
+from PySide import QtCore
 
 from freecad_ortho import api, convert
 from freecad_ortho.documents import net_settings
-from freecad_ortho.panels.fields import LengthField, length_words
+from freecad_ortho.panels.fields import length_words
 from freecad_ortho.panels.net_words import net_words
 from freecad_ortho.panels.optimise_panel import OptimisePanel
 from solver.analysis.advisor import advise
@@ -75,20 +75,6 @@ class TestChoices(OptimiseCase):
         self.assertIn("The lines do not follow the curvature", panel.message.text())
         wait(lambda: not panel.run.running, 60)
         self.assertIn("as a plane only", panel.message.text())
-
-    def test_a_length_that_is_not_given_says_what_comes_instead(self):
-        field = LengthField(0.0, absent="automatic")
-        line = field.widget.findChild(QtGui.QLineEdit)
-        self.assertEqual((line.text(), line.placeholderText()), ("", "automatic"))
-        field.millimetres = 120.0
-        self.assertIn("120", line.text())
-        self.assertEqual(field.millimetres, 120.0)
-        field.millimetres = 0.0
-        self.assertEqual((line.text(), field.millimetres), ("", 0.0))
-        field.widget.show()
-        wait(seconds=0.5)
-        self.assertEqual(line.text(), "")
-        self.assertIn("0", LengthField(0.0).widget.findChild(QtGui.QLineEdit).text())
 
     def test_every_net_shows_what_belongs_to_it(self):
         panel = self.opened(self.net())
