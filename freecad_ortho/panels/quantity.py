@@ -85,9 +85,11 @@ class QuantityBox(QtGui.QDoubleSpinBox):
 
     def textFromValue(self, value: float) -> str:
         """Write a value; Qt asks for it."""
-        if self._absent and all(box._held == 0.0 for box in self._fellows):
+        held = self._held if value == self._bounded(self._held) else value
+        others = [box for box in self._fellows if box is not self]
+        if self._absent and held == 0.0 and all(box._held == 0.0 for box in others):
             return self._absent
-        words, factor = self._words(self._held if value == self._bounded(self._held) else value)
+        words, factor = self._words(held)
         # A number that is typed without a unit is meant in that of the number before it.
         self._factor = factor
         return words

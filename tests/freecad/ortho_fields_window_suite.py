@@ -112,6 +112,8 @@ class TestUnits(WindowCase):
             field.widget.show()
             wait(seconds=0.05)
             self.assertEqual((field.widget.text(), field.millimetres), (words, length))
+        field.widget.setValue(250.0)
+        self.assertEqual((field.widget.text(), field.millimetres), ("250 mm", 250.0))
         self.type(field.widget, "3 m")
         self.assertEqual(field.millimetres, 3000.0)
         self.type(field.widget, "0")
