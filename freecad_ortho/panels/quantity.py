@@ -86,12 +86,14 @@ class QuantityBox(QtGui.QDoubleSpinBox):
     def textFromValue(self, value: float) -> str:
         """Write a value; Qt asks for it."""
         held = self._held if value == self._bounded(self._held) else value
+        words, factor = self._words(held)
+        if held == self._held:
+            # A number that is typed without a unit is meant in that of the number before it. Qt
+            # asks for those at the limits too, to know how wide they are.
+            self._factor = factor
         others = [box for box in self._fellows if box is not self]
         if self._absent and held == 0.0 and all(box._held == 0.0 for box in others):
             return self._absent
-        words, factor = self._words(held)
-        # A number that is typed without a unit is meant in that of the number before it.
-        self._factor = factor
         return words
 
     def valueFromText(self, text: str) -> float:
