@@ -15,7 +15,7 @@ from scipy.spatial import cKDTree
 from solver.align.features import corners_of
 from solver.align.symmetry import Mirror
 from solver.align.triangle_mesh import TriangleMesh, components
-from solver.mesh.connectivity import BoolArray, IntArray
+from solver.mesh.connectivity import BoolArray, IntArray, cycles
 from solver.mesh.quadmesh import FloatArray, unit_rows
 
 # A face with a larger angle between two of its sides goes straight on there.
@@ -245,15 +245,7 @@ def _loops(mesh: TriangleMesh, label: IntArray, count: int) -> Iterator[list[lis
             # It touches itself in a vertex.
             yield []
             continue
-        loops = []
-        while after:
-            start = next(iter(after))
-            loop, vertex = [start], after.pop(start)
-            while vertex != start:
-                loop.append(vertex)
-                vertex = after.pop(vertex)
-            loops.append(loop)
-        yield loops
+        yield cycles(after)
 
 
 def _corners(mesh: TriangleMesh, loops: list[IntArray], edge: float) -> BoolArray:

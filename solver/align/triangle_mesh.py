@@ -10,7 +10,7 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import breadth_first_order, connected_components
 
 from solver.errors import InputError
-from solver.mesh.connectivity import IntArray
+from solver.mesh.connectivity import IntArray, cycles
 from solver.mesh.quadmesh import FloatArray, unit_rows
 
 
@@ -79,15 +79,7 @@ class TriangleMesh:
 
     def loops(self) -> list[list[int]]:
         """Vertices of each border loop, the surface on its left."""
-        after, found = self.next_rim(), []
-        while after:
-            start = next(iter(after))
-            loop, vertex = [start], after.pop(start)
-            while vertex != start:
-                loop.append(vertex)
-                vertex = after.pop(vertex)
-            found.append(loop)
-        return found
+        return cycles(self.next_rim())
 
     def gradients(self) -> FloatArray:
         """(T, 3, 2) gradients of the corners' hat functions, in each triangle's frame."""

@@ -276,15 +276,7 @@ class Connectivity:
             onward[inner] = self._next(self.twins[onward[inner]])
         start = self.half_edges[:, 0]
         after = dict(zip(half.tolist(), onward.tolist(), strict=True))
-        loops = []
-        while after:
-            first = next(iter(after))
-            loop, here = [first], after.pop(first)
-            while here != first:
-                loop.append(here)
-                here = after.pop(here)
-            loops.append(start[loop])
-        return tuple(loops)
+        return tuple(start[loop] for loop in cycles(after))
 
     @cached_property
     def line_triples(self) -> IntArray:
@@ -392,3 +384,16 @@ class Connectivity:
         """(F,) number of the connected component of each face."""
         left, right = self.edge_faces[~self.boundary_edges].T
         return components_of(left, right, self.face_count)
+
+
+def cycles(after: dict[int, int]) -> list[list[int]]:
+    """Items in the order in which each is followed by another; the given table is emptied."""
+    found = []
+    while after:
+        first = next(iter(after))
+        cycle, here = [first], after.pop(first)
+        while here != first:
+            cycle.append(here)
+            here = after.pop(here)
+        found.append(cycle)
+    return found
