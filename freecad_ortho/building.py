@@ -282,7 +282,9 @@ def keep_outcome_of(
     mesh, report = outcome.mesh, outcome.report
     write_json(folder / NET, mesh, aligned.unit, aligned.border)
     write_mesh((folder / NET).with_suffix(".obj"), mesh, aligned.unit)
-    findings = check_form(aligned.mesh, mesh, report.form, report.within)
+    findings = check_form(
+        aligned.mesh, mesh, report.form, report.within, overhangs=bool(aligned.border)
+    )
     entry |= {
         "words": report.message,
         "numbers": report.as_dict(),
@@ -313,8 +315,8 @@ def measured(finding: Finding, unit: str) -> str:
     """A measure of form in words."""
     if finding.measure == "folded faces":
         return counted(int(finding.value), "folded face") if finding.value else "no folded faces"
-    if finding.measure == "off the surface":
-        return f"{finding.value * millimetres_per(unit):,.3g} mm off the surface at most"
+    if finding.measure in ("off the surface", "off the border"):
+        return f"{finding.value * millimetres_per(unit):,.3g} mm {finding.measure} at most"
     of_start = " of the start's" * (finding.measure == "shortest edge")
     return f"{finding.measure} {finding.value:.2f}{of_start}"
 

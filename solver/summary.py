@@ -108,7 +108,7 @@ def summarise(run: RunSummary, best: Candidate) -> Outcome:
         origin=cast(list[float], run.origin.shift.tolist()),
         solver=run.backend,
         remarks=[
-            *_crumpled(best),
+            *_crumpled(run, best),
             *_drawn_along(run, form.border / start.mean_edge),
             *_remarks(start, best.mesh, best.tuning),
             *_left_out(run.original),
@@ -179,9 +179,13 @@ def _remains(best: Candidate) -> str:
     return "a line" if extents[1] < best.tuning.line * extents[0] else "a plane"
 
 
-def _crumpled(best: Candidate) -> list[str]:
+def _crumpled(run: RunSummary, best: Candidate) -> list[str]:
     """That a net, however exact, is none to build from."""
     tuning = best.tuning
+    # Lines that were drawn straight between creases bend evenly by zero; such a roof stays as it
+    # is.
+    if not run.history and best.smoothness > -tuning.crumpling:
+        return []
     if best.smoothness >= tuning.crumpled and best.roughened <= tuning.crumpling:
         return []
     return [

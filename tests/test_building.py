@@ -11,7 +11,7 @@ from freecad_ortho import api
 from freecad_ortho.fabrication import FILES
 from solver import InputError, NetOptions, QuadMesh, write_mesh
 from solver.analysis import measures
-from tests.design_surfaces import saddle
+from tests.design_surfaces import HIP, saddle, sheet
 from tests.test_build_command_line import NETS
 
 SIZES = {"panel_thickness": 8}
@@ -82,6 +82,21 @@ def test_a_net_whose_form_does_not_hold_is_not_built(surface, tmp_path):
     call |= {"go_on": True, "progress": begun.append}
     assert api.build_surface(surface, tmp_path, "panels", **call).parts
     assert begun == ["fabricate"]
+
+
+def test_a_roof_that_loses_its_eaves_is_not_built_and_a_planar_one_keeps_them(tmp_path):
+    points, triangles = sheet(HIP)
+    roof = tmp_path / "hip.obj"
+    rows = [("v", *point) for point in points] + [("f", *(1 + face)) for face in triangles]
+    roof.write_text("".join(" ".join(map(str, row)) + "\n" for row in rows))
+    call = {"unit": "m", "edge": 2.5, **SIZES}
+    built = api.build_surface(roof, tmp_path / "principal", "panels", **call)
+    assert built.exact and not built.parts
+    failed = {finding.measure: finding for finding in built.form if not finding.met}
+    assert "planar" in failed["off the border"].remedy
+    built = api.build_surface(roof, tmp_path / "planar", "panels", net="planar", **call)
+    assert built.parts and all(finding.met for finding in built.form)
+    assert np.array_equal(built.net.mesh.vertices, built.aligned.mesh.vertices)
 
 
 def test_options_of_the_net_reach_it(surface, tmp_path):

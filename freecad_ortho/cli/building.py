@@ -196,7 +196,7 @@ def _form_holds(stages: Stages) -> bool:
 def _limit(finding: Finding, unit: str) -> str:
     if finding.measure == "folded faces":
         return f"{finding.limit:g} are allowed"
-    if finding.measure == "off the surface":
+    if finding.measure in ("off the surface", "off the border"):
         return f"{finding.limit * millimetres_per(unit):,.3g} mm are allowed"
     return f"{finding.limit:.2f} is wanted"
 

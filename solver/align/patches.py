@@ -22,10 +22,11 @@ from solver.align.remarks import turned_by
 from solver.align.spread import spread
 from solver.align.symmetry import Mirror, symmetric_net
 from solver.align.triangle_mesh import TriangleMesh
-from solver.analysis.measures import flipped
+from solver.analysis.measures import flipped, orthogonality
 from solver.errors import InputError
 from solver.mesh.intake import quad_mesh
 from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.sentence import Sentence
 
 # The shortest edge of a net that is even enough, in mean edges.
 _EVEN = 0.2
@@ -39,6 +40,14 @@ _ACROSS = 20.0
 _BESIDE = 1.5
 # In edges, how far a crease is carried on where the surface does not turn.
 _GAP = 1.5
+# Cosines that corners of a principal net may have.
+_UPRIGHT = 1e-6
+# What becomes of flat panels with right corners, and with others.
+_RIGHT = Sentence("panels are flat and their corners right as they are: no exact net moves them")
+_ASKEW = Sentence(
+    "panels are flat as they are, and stay so in a planar net (--net planar); creases are askew to "
+    "each other, so that corners are not right, and an exact principal net leaves the roof"
+)
 
 
 def net_on_flat_faces(
@@ -60,12 +69,13 @@ def net_on_flat_faces(
         return None
     net = net_on_facets(surface, facets, mirrors, edge)
     if net is not None:
-        remarks.append(
-            f"the surface is made of {len(facets.sides)} flat faces: lines run along all creases "
-            "between them and along the border, where the net ends. Its panels are flat as they "
-            "are, and a planar net keeps them so; where creases are askew to each other, corners "
-            "are not right, and an exact principal net leaves the roof"
+        right = orthogonality(net).max() < _UPRIGHT
+        made_of = Sentence(
+            "the surface is made of {} flat faces: lines run along all creases between them and "
+            "along the border, where the net ends",
+            len(facets.sides),
         )
+        remarks += [made_of, _RIGHT if right else _ASKEW]
     return net
 
 
@@ -99,10 +109,14 @@ def net_along_creases(
     net = None if facets is None else net_on_facets(surface, facets, mirrors, edge)
     if facets is not None and net is not None:
         remarks.append(
-            f"creases between {len(facets.sides)} faces run at {turned:.0f} degrees to the lines "
-            "of curvature on average: lines run along all creases and along the border, where the "
-            "net ends, in place of curvature. A net along curvature, which has flat panels, is one "
-            "on each face alone (--faces)"
+            Sentence(
+                "creases between {} faces run at {:.0f} degrees to the lines of curvature on "
+                "average: lines run along all creases and along the border, where the net ends, in "
+                "place of curvature. A net along curvature, which has flat panels, is one on each "
+                "face alone (--faces)",
+                len(facets.sides),
+                turned,
+            )
         )
     return net
 

@@ -78,7 +78,7 @@ def form_of(start: QuadMesh, mesh: QuadMesh, surface: TriangleSurface | None = N
     gap_face = int(np.argmax(gaps))
     return Form(
         off_surface=Gap(far, float(distances.mean()), 100 * far / diagonal, worst),
-        border=_off_border(start, mesh),
+        border=off_border(start, mesh)[0],
         area_ratio=measures.area(mesh) / measures.area(start),
         height_ratio=now / height if height > _LEVEL * diagonal else 1.0,
         zigzag=measures.smoothness(mesh),
@@ -125,11 +125,23 @@ def _off_polygons(mesh: QuadMesh, surface: TriangleSurface) -> FloatArray:
     return np.column_stack([in_middle, at_vertices[np.array(corners)]])
 
 
-def _off_border(start: QuadMesh, mesh: QuadMesh) -> float:
-    """Largest distance of a border vertex from the border that it belonged to."""
-    far = 0.0
+def off_border(start: QuadMesh, mesh: QuadMesh) -> tuple[float, int]:
+    """How far border vertices are from the border that they belonged to, and which is farthest.
+
+    Args:
+        start: the mesh as it was drawn.
+        mesh: the same faces with other positions.
+
+    Returns:
+        The largest distance in model units, and the number of the vertex; zero and the first
+        without a border.
+    """
+    far, vertex = 0.0, 0
     for loop in start.connectivity.boundary_loops:
         points = mesh.vertices[loop]
         feet, _ = Polyline(start.vertices[loop], closed=True).closest(points)
-        far = max(far, float(np.linalg.norm(points - feet, axis=1).max()))
-    return far
+        away = np.linalg.norm(points - feet, axis=1)
+        worst = int(np.argmax(away))
+        if away[worst] > far:
+            far, vertex = float(away[worst]), int(loop[worst])
+    return far, vertex

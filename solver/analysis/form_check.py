@@ -8,7 +8,7 @@ from typing import cast
 import numpy as np
 
 from solver.analysis import measures
-from solver.analysis.form import Form
+from solver.analysis.form import Form, off_border
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.tuning import Tuning
 
@@ -19,7 +19,8 @@ class Finding:
 
     Attributes:
         measure: ``folded faces``, ``evenness of lines``, ``shortest edge`` (over the mean edge, in
-            parts of what it was at the start) or ``off the surface`` (in model units).
+            parts of what it was at the start), ``off the surface`` or ``off the border`` (in model
+            units).
         value: of the net.
         limit: the most, or of evenness and edges the least, that it may be.
         met: whether it is.
@@ -43,6 +44,7 @@ def check_form(
     form: Form,
     within: float | None = None,
     tuning: Tuning | None = None,
+    overhangs: bool = False,
 ) -> tuple[Finding, ...]:
     """Hold the form of a net against what is fit to be built.
 
@@ -50,12 +52,16 @@ def check_form(
         start: the mesh before it was made exact.
         mesh: the net, with the same faces.
         form: of the net, against its design surface.
-        within: how far from the surface it may be, in model units; by default 1 % of the size.
+        within: how far from the surface, and from its border, it may be, in model units; by default
+            1 % of the size.
         tuning: what counts as short and as uneven.
+        overhangs: whether the net goes on beyond the border of the surface and is cut there, so
+            that its own border is no outline.
     """
     tuning = tuning or Tuning()
     off = form.off_surface
     far = within or tuning.another * float(np.linalg.norm(np.ptp(start.vertices, axis=0)))
+    outline = () if overhangs else (_outline(start, mesh, far),)
     return (
         _folds(start, mesh),
         _evenness(mesh, form, tuning),
@@ -69,6 +75,7 @@ def check_form(
             _at(mesh, mesh.faces[off.face]),
             "a shorter edge, another net, or a larger distance",
         ),
+        *outline,
     )
 
 
@@ -118,6 +125,20 @@ def _edges(start: QuadMesh, mesh: QuadMesh, tuning: Tuning) -> Finding:
         f"edge {ends[0]}-{ends[1]}",
         _at(mesh, ends),
         "another edge length or ratio, or a larger weight of fairness",
+    )
+
+
+def _outline(start: QuadMesh, mesh: QuadMesh, most: float) -> Finding:
+    """Where the net has left the border along which it was drawn: there the surface is bare."""
+    far, vertex = off_border(start, mesh)
+    return Finding(
+        "off the border",
+        far,
+        most,
+        far <= most,
+        f"vertex {vertex}",
+        _at(mesh, np.array([vertex])),
+        "a planar net, which need not leave it, or one that overhangs the border and is cut there",
     )
 
 

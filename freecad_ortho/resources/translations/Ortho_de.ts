@@ -5670,6 +5670,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Lasche</translation>
   </message>
   <message>
+   <location filename="../../../solver/align/patches.py" />
+   <source>creases between {} faces run at {:.0f} degrees to the lines of curvature on average: lines run along all creases and along the border, where the net ends, in place of curvature. A net along curvature, which has flat panels, is one on each face alone (--faces)</source>
+   <translation>Kanten zwischen {} Flächen laufen im Mittel unter {:.0f} Grad zu den Krümmungslinien: Linien laufen entlang aller Kanten und entlang des Randes, an dem das Netz endet, statt entlang der Krümmung. Ein Netz entlang der Krümmung, das ebene Platten hat, gibt es auf jeder Fläche allein (--faces)</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
    <source>curvature</source>
    <translation>Krümmung</translation>
@@ -6270,6 +6275,16 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>Paneele</translation>
   </message>
   <message>
+   <location filename="../../../solver/align/patches.py" />
+   <source>panels are flat and their corners right as they are: no exact net moves them</source>
+   <translation>die Platten sind schon eben und ihre Ecken rechtwinklig: kein exaktes Netz bewegt sie</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/align/patches.py" />
+   <source>panels are flat as they are, and stay so in a planar net (--net planar); creases are askew to each other, so that corners are not right, and an exact principal net leaves the roof</source>
+   <translation>die Platten sind schon eben und bleiben es in einem ebenen Netz (--net planar); Kanten stehen schief zueinander, sodass Ecken nicht rechtwinklig sind, und ein exaktes Hauptkrümmungsnetz verlässt das Dach</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>panels reach this far under pressure plates, by default 15 mm or as glass needs</source>
    <translation>so weit reichen Platten unter die Pressleisten, standardmäßig 15 mm oder wie Glas es braucht</translation>
@@ -6800,7 +6815,7 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <translation>das Netz ist symmetrisch zu {}</translation>
   </message>
   <message>
-   <location filename="../../../solver/align/align.py" />
+   <location filename="../../../solver/align/remarks.py" />
    <source>the opening at {}, {} across, is too small for faces of this size: lines run over it; a shorter edge keeps it</source>
    <translation>die Öffnung bei {}, {} weit, ist zu klein für Maschen dieser Größe: Linien laufen über sie hinweg; eine kürzere Kante erhält sie</translation>
   </message>
@@ -6913,6 +6928,11 @@ Sonst wird auf diesem Rechner nichts verändert.</translation>
    <location filename="../../../solver/align/guides.py" />
    <source>the surface is flat or round: every direction is one of curvature; the lines run along its border</source>
    <translation>die Fläche ist eben oder rund: jede Richtung ist eine der Krümmung; die Linien laufen entlang ihres Randes</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/align/patches.py" />
+   <source>the surface is made of {} flat faces: lines run along all creases between them and along the border, where the net ends</source>
+   <translation>die Fläche besteht aus {} ebenen Flächen: Linien laufen entlang aller Kanten zwischen ihnen und entlang des Randes, an dem das Netz endet</translation>
   </message>
   <message>
    <location filename="../../../solver/align/prepare.py" />

@@ -5670,6 +5670,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>éclisse</translation>
   </message>
   <message>
+   <location filename="../../../solver/align/patches.py" />
+   <source>creases between {} faces run at {:.0f} degrees to the lines of curvature on average: lines run along all creases and along the border, where the net ends, in place of curvature. A net along curvature, which has flat panels, is one on each face alone (--faces)</source>
+   <translation>les arêtes entre {} faces font en moyenne {:.0f} degrés avec les lignes de courbure : les lignes suivent toutes les arêtes et le bord, où le réseau s'arrête, au lieu de la courbure. Un réseau le long de la courbure, aux panneaux plans, se fait sur chaque face seule (--faces)</translation>
+  </message>
+  <message>
    <location filename="../../../freecad_ortho/panels/aligned_panel.py" />
    <source>curvature</source>
    <translation>courbure</translation>
@@ -6270,6 +6275,16 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>panneaux</translation>
   </message>
   <message>
+   <location filename="../../../solver/align/patches.py" />
+   <source>panels are flat and their corners right as they are: no exact net moves them</source>
+   <translation>les panneaux sont déjà plans et leurs coins droits : aucun réseau exact ne les déplace</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/align/patches.py" />
+   <source>panels are flat as they are, and stay so in a planar net (--net planar); creases are askew to each other, so that corners are not right, and an exact principal net leaves the roof</source>
+   <translation>les panneaux sont déjà plans et le restent dans un réseau plan (--net planar) ; les arêtes sont obliques entre elles, si bien que les coins ne sont pas droits, et un réseau principal exact quitte le toit</translation>
+  </message>
+  <message>
    <location filename="../../../scripts/catalogue_words.py" />
    <source>panels reach this far under pressure plates, by default 15 mm or as glass needs</source>
    <translation>prise des panneaux sous les serreurs, par défaut 15 mm ou selon le besoin du verre</translation>
@@ -6800,7 +6815,7 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <translation>le réseau est symétrique par rapport à {}</translation>
   </message>
   <message>
-   <location filename="../../../solver/align/align.py" />
+   <location filename="../../../solver/align/remarks.py" />
    <source>the opening at {}, {} across, is too small for faces of this size: lines run over it; a shorter edge keeps it</source>
    <translation>l'ouverture en {}, large de {}, est trop petite pour des faces de cette taille : des lignes passent dessus ; une arête plus courte la garde</translation>
   </message>
@@ -6913,6 +6928,11 @@ Rien d'autre n'est modifié sur cet ordinateur.</translation>
    <location filename="../../../solver/align/guides.py" />
    <source>the surface is flat or round: every direction is one of curvature; the lines run along its border</source>
    <translation>la surface est plane ou ronde : toute direction est une direction de courbure ; les lignes suivent son bord</translation>
+  </message>
+  <message>
+   <location filename="../../../solver/align/patches.py" />
+   <source>the surface is made of {} flat faces: lines run along all creases between them and along the border, where the net ends</source>
+   <translation>la surface est faite de {} faces planes : les lignes suivent toutes les arêtes entre elles et le bord, où le réseau s'arrête</translation>
   </message>
   <message>
    <location filename="../../../solver/align/prepare.py" />

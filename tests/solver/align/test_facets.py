@@ -59,8 +59,12 @@ def test_lines_run_along_eaves_ridges_hips_and_valleys(roof, irregular, border):
     assert np.abs((made.field.directions[:, 0] * made.field.directions[:, 1]).sum(1)).max() < 1e-12
 
 
-def test_a_gable_roof_has_right_corners():
-    assert measures.orthogonality(aligned(*sheet(GABLE), edge=1.2).mesh).max() < 1e-12
+def test_corners_are_right_on_a_gable_roof_and_askew_on_a_hip_roof():
+    for roof, right in ((GABLE, True), (HIP, False)):
+        made = aligned(*sheet(roof), edge=1.2)
+        assert (measures.orthogonality(made.mesh).max() < 1e-12) == right
+        assert ("corners right as" in made.remarks[1]) is right
+        assert ("--net planar" in made.remarks[1]) is not right
 
 
 def test_anywhere_and_in_any_unit_it_is_the_same_net():
@@ -159,6 +163,8 @@ def test_an_exact_net_on_flat_faces_stays_as_it_is(roof, net):
     outcome = optimise(start, net, constraints=Constraints(close_to=(points, triangles)))
     assert outcome.report.status == "converged"
     assert np.array_equal(outcome.mesh.vertices, start.vertices)
+    # Its lines are straight between creases, which is no zigzag.
+    assert not any("zigzag" in remark for remark in outcome.report.remarks)
 
 
 def test_an_exact_net_beside_its_surface_is_brought_to_it():

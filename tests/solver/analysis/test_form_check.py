@@ -15,9 +15,9 @@ def start():
     return surface_of_revolution(13, 11)
 
 
-def checked(start, vertices, within=None):
+def checked(start, vertices, within=None, overhangs=False):
     mesh = start.with_vertices(vertices)
-    found = check_form(start, mesh, form_of(start, mesh), within)
+    found = check_form(start, mesh, form_of(start, mesh), within, overhangs=overhangs)
     return {finding.measure: finding for finding in found}
 
 
@@ -50,6 +50,17 @@ def test_without_a_distance_one_percent_of_the_size_is_allowed(start):
     size = np.linalg.norm(np.ptp(start.vertices, axis=0))
     finding = checked(start, start.vertices)["off the surface"]
     assert finding.limit == pytest.approx(0.01 * size)
+
+
+def test_a_net_that_leaves_its_border_is_named_unless_it_overhangs(start):
+    vertex = int(start.connectivity.boundary_loops[0][4])
+    points = moved(start, vertex, 0.01 * start.vertex_normals[vertex])
+    for within, met in ((0.02, True), (0.005, False)):
+        left = checked(start, points, within)["off the border"]
+        assert (left.met, left.limit, left.where) == (met, within, f"vertex {vertex}")
+        assert left.value == pytest.approx(0.01)
+        np.testing.assert_allclose(left.place, points[vertex])
+        assert "off the border" not in checked(start, points, within, overhangs=True)
 
 
 def test_an_edge_that_has_shrunk_is_named(start):
