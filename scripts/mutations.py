@@ -1,6 +1,8 @@
 """Do the tests notice small mistakes? Changes the code in one place at a time.
 
 usage: python scripts/mutations.py                 200 random changes, half an hour or more
+       python scripts/mutations.py --quick         without a map, many changes at a time; say again
+                                                   to go on where it was broken off
        python scripts/mutations.py --count 40 --seed 7 --only solver/io
        python scripts/mutations.py --map-only      only work out which test runs which line
        python scripts/mutations.py --map-more tests/test_units.py     add a file's tests to that
@@ -10,7 +12,8 @@ A change turns round a comparison, swaps + and -, * and /, and / or, drops a min
 statement, or alters a number (`mutation_places.py`). It is made in a copy of the tree, where the
 tests that run the changed line are run until one fails. What no test notices is printed at the end;
 exit code 1 where that is more than a tenth. Needs the package coverage; its map of lines and tests
-is kept in build/mutations and made anew with --map.
+is kept in build/mutations and made anew with --map. The quick pass (`mutation_forks.py`) needs
+neither, asks no test that starts a program or takes long, and names what is left for --again.
 """
 
 from __future__ import annotations
@@ -34,6 +37,7 @@ from queue import Queue
 
 from mutation_map import FOLDERS, KEPT, ONE_THREAD, ROOT, Coverage, copy_of_tree, make_map, read_map
 from mutation_places import Mutation, mutations_of
+from mutation_record import Record, try_quickly
 
 WANTED = 0.9
 
@@ -222,21 +226,44 @@ def main() -> int:
     parser.add_argument("--map-only", action="store_true", help="... and stop there")
     parser.add_argument("--map-more", nargs="+", help="measure these tests, add them to the map")
     parser.add_argument("--again", default="", help="numbers of one draw to try again: 3,17,40")
+    parser.add_argument("--quick", action="store_true", help="without a map, in forks")
+    parser.add_argument("--table", action="store_true", help="what came of that, as a table")
     given = parser.parse_args()
+    if given.quick or given.table:
+        return quick_pass(given)
     if given.map or given.map_only or not (KEPT / "map.json").exists():
         make_map([], given.workers)
     if given.map_more:
         make_map(given.map_more, given.workers)
     if given.map_only or given.map_more:
         return 0
-    possible = all_mutations(given.only)
-    count = min(given.count, len(possible))
-    drawn = random.Random(given.seed).sample(possible, count)
-    print(f"{count} of {len(possible)} possible changes", flush=True)
+    drawn = draw(given)
     again = {int(number) for number in given.again.split(",") if number}
     chosen = [one for one in enumerate(drawn) if not again or one[0] + 1 in again]
-    count = len(chosen)
-    survivors = try_all(chosen, read_map(), given.workers)
+    return verdict(len(chosen), try_all(chosen, read_map(), given.workers))
+
+
+def draw(given: argparse.Namespace) -> list[Mutation]:
+    """Draw the changes that were asked for."""
+    possible = all_mutations(given.only)
+    count = min(given.count, len(possible))
+    print(f"{count} of {len(possible)} possible changes", flush=True)
+    return random.Random(given.seed).sample(possible, count)
+
+
+def quick_pass(given: argparse.Namespace) -> int:
+    """Try the changes in forks, or show what came of that."""
+    drawn, path = draw(given), KEPT / f"quick-{given.seed}.json"
+    if given.table:
+        print(Record.of(path, drawn).table())
+        return 0
+    survivors = try_quickly(drawn, path)
+    print(f"with all of their tests: --again {','.join(map(str, survivors))}")
+    return verdict(len(drawn), list(survivors.values()))
+
+
+def verdict(count: int, survivors: list[Mutation]) -> int:
+    """Print what no test noticed; 1 where that is too much."""
     by_file = defaultdict(list)
     for mutation in survivors:
         by_file[mutation.file].append(mutation)
