@@ -274,11 +274,11 @@ def test_chosen_lines_are_built_as_in_the_whole(roof):
         ({"section": "hollow", "section_width": 20}, "section width: expected more than 20 mm"),
         ({"section": "I", "flange_thickness": 90}, "filled by the section's 180 mm"),
         ({"ends": "hub", "hub_diameter": 4}, "hub: at vertex .* take a hub .* larger"),
-        ({"ends": "hub", "hub_diameter": 3000}, "beam ends: edge .* take a smaller hub"),
+        ({"ends": "hub", "hub_diameter": 3000}, "beam ends: B.* hub diameter of at most"),
         ({"ends": "lapped", "clearance": 170}, "slots deeper than the beams|the slots at"),
         ({"ends": "lapped", "clearance": -1}, "clearance: expected 0 mm or more"),
         ({"ends": "lapped", "thickness": 1150}, "beam"),
-        ({"thickness": 900}, "beam thickness: 900 mm does not fit edge"),
+        ({"thickness": 900}, "beam thickness: 900 mm does not fit B"),
         ({"height": 90000}, "beam height: 90000 mm does not fit edge"),
     ],
 )
@@ -286,6 +286,14 @@ def test_sizes_that_do_not_fit_are_one_line(roof, values, words):
     with pytest.raises(InputError, match=words) as caught:
         build(roof, [beams(**values)])
     assert "\n" not in str(caught.value)
+
+
+def test_the_hub_that_a_refusal_names_is_the_largest_that_fits(roof):
+    with pytest.raises(InputError, match="hub diameter of at most 888 mm all have room"):
+        build(roof, [beams(ends="hub", hub_diameter=3000.0)])
+    assert build(roof, [beams(ends="hub", hub_diameter=888.0)]).parts
+    with pytest.raises(InputError, match="what stands at its ends takes"):
+        build(roof, [beams(ends="hub", hub_diameter=889.0)])
 
 
 def test_nets_that_do_not_fit_are_one_line(twisted, dodecahedron):

@@ -268,3 +268,23 @@ def test_without_what_runs_through_there_are_no_fins(roof):
     assert made.report()["nodes"]["arms"] == 0 < made.report()["nodes"]["splices"]
     with pytest.raises(InputError, match="nodes: nothing to build"):
         api.fabricate(roof, "beams+nodes", node="through", family="v")
+
+
+@pytest.mark.parametrize(
+    "node, scale, words, change",
+    [
+        ("through", 0.2, "fins .* with bolts M12 all", {"bolt": "M12"}),
+        ("star", 0.4, "arms .* with one M12 a joint all", {"bolt": "M12", "bolts": 1}),
+        (
+            *("star", 0.36, "a beam thickness of at most 16 mm and one M12 a joint all"),
+            {"bolt": "M12", "bolts": 1, "thickness": 16.0},
+        ),
+        ("star", 0.3, "no smaller sizes help; take bolted hubs", {"node": "bolted"}),
+    ],
+)
+def test_what_a_refusal_of_short_edges_says_helps(roof, node, scale, words, change):
+    small = roof.scaled(scale)
+    with pytest.raises(InputError, match=rf"B\d+ between N\d+ and N\d+ is on .* {words}"):
+        api.fabricate(small, "beams+nodes", node=node)
+    made = api.fabricate(small, "beams+nodes", **{"node": node} | change)
+    assert len(made.results["nodes"].parts) > 0

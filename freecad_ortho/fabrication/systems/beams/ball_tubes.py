@@ -12,7 +12,7 @@ from freecad_ortho.fabrication.profiles import Profile
 from freecad_ortho.fabrication.profiles.end import End
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.beams.balls import BallJoints
-from freecad_ortho.fabrication.systems.beams.geometry import LOOPS, BeamGeometry
+from freecad_ortho.fabrication.systems.beams.geometry import LOOPS, BeamGeometry, NoRoom
 from freecad_ortho.fabrication.systems.beams.rolled import RolledPiece, RolledSection
 from solver.errors import InputError
 from solver.mesh.connectivity import BoolArray
@@ -71,7 +71,7 @@ def with_tubes(geometry: BeamGeometry, height: float, edges: np.ndarray) -> Beam
         edges: (E, 2) the vertices at their ends.
 
     Raises:
-        InputError: an edge too short for what is at its ends.
+        NoRoom: an edge too short for what is at its ends.
     """
     joints = geometry.bolted
     assert isinstance(joints, BallJoints)
@@ -81,10 +81,9 @@ def with_tubes(geometry: BeamGeometry, height: float, edges: np.ndarray) -> Beam
     worst = int(np.argmin(left))
     if left[worst] < joints.tube / 2:
         length = float(geometry.lengths[worst])
-        raise InputError(
+        raise NoRoom(
             f"beam ends: {part_names('B', len(edges))[worst]} is on an edge {length:.1f} mm long, "
-            f"balls, sleeves and cones take {length - float(left[worst]):.1f} mm of it; take "
-            "smaller bolts, thinner tubes or longer edges"
+            f"balls, sleeves and cones take {length - float(left[worst]):.1f} mm of it"
         )
     points = geometry.start[:, None] + np.einsum("epc,eck->epk", corners, geometry.frame)
     return replace(geometry, points=points)

@@ -44,6 +44,10 @@ _LEAST_LEFT = 1e-3
 _LEAST_SINE = 0.5
 
 
+class NoRoom(InputError):
+    """An edge too short for what stands at its ends, in words that do not say yet what helps."""
+
+
 @dataclass(frozen=True, eq=False)
 class Cuts:
     """Where the beams end, measured along their edges from the axes, mm.
@@ -176,7 +180,7 @@ def beam_geometry(
         built: (E,) which edges have one.
 
     Raises:
-        InputError: a height or width that does not fit an edge.
+        InputError: a height that does not fit an edge.
     """
     slopes = frames.slope / frames.rise[:, None]
     lengths = mesh.edge_lengths
@@ -190,7 +194,6 @@ def beam_geometry(
     )
     level_lengths = outline[:, :, 1, 0] - outline[:, :, 0, 0]
     _refuse_height(mesh, levels[1] - levels[0], level_lengths)
-    _refuse_width(mesh, width, level_lengths.min(axis=1), cuts)
     geometry = BeamGeometry(
         points=np.empty(0),
         start=mesh.vertices[mesh.connectivity.edges[:, 0]],
@@ -322,26 +325,3 @@ def _refuse_height(mesh: QuadMesh, height: float, lengths: FloatArray) -> None:
             f"the axes meet before that; take less than {rounded_down(largest)} mm or "
             "another offset"
         )
-
-
-def _refuse_width(mesh: QuadMesh, width: float, available: FloatArray, cuts: Cuts) -> None:
-    fixed = cuts.middle.sum(axis=1)
-    room = available * (1 - _LEAST_LEFT)
-    setback = cuts.setback(width / 2)
-    needed = np.maximum(setback[:, 0] + setback[:, 1], setback[:, 2] + setback[:, 3])
-    wrong = needed > room
-    if not wrong.any():
-        return
-    edge = int(np.argmax(needed / room))
-    here = edge_name(mesh, np.arange(len(room)) == edge)
-    if fixed[edge] >= 0.9 * needed[edge]:
-        raise InputError(
-            f"beam ends: {here} is {available[edge]:.1f} mm long and its ends take "
-            f"{needed[edge]:.1f} mm; take a smaller hub or narrower beams"
-        )
-    largest = width * float(((room - fixed) / (needed - fixed))[edge])
-    raise InputError(
-        f"beam thickness: {width:g} mm does not fit {here}, whose mitres need "
-        f"{needed[edge]:.1f} of its {available[edge]:.1f} mm; take at most "
-        f"{rounded_down(largest)} mm"
-    )

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from freecad_ortho.fabrication.part import part_names
 from freecad_ortho.fabrication.pattern import Hole
 from freecad_ortho.fabrication.systems.beams.cover_plates import CoverPlates
 from freecad_ortho.fabrication.systems.beams.geometry import BeamGeometry
 from freecad_ortho.fabrication.systems.beams.sections import Section
-from solver.errors import InputError
 from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray
 
@@ -56,30 +54,3 @@ def web_holes(
         )
         for edge in np.flatnonzero(joined.any(axis=1)).tolist()
     }
-
-
-def refuse_short(beams: BeamGeometry, section: Section, edges: IntArray) -> None:
-    """Refuse beams on which the cover plates of both ends have no room.
-
-    Raises:
-        InputError: naming the worst of them.
-    """
-    covers = beams.bolted
-    if not isinstance(covers, CoverPlates):
-        return
-    middles = joint_middles(beams, section, covers, edges)
-    joined = beams.meeting & (beams.hub_radii[edges] > 0)
-    setback = np.stack([beams.setback[:, [0, 3]].max(axis=1), beams.setback[:, [1, 2]].max(axis=1)])
-    starts = np.stack([0 * beams.lengths, beams.lengths], axis=1)
-    cut = starts + beams.slopes * middles[..., 1] + AWAY * setback.T
-    taken = np.where(joined, middles[..., 0] + AWAY * covers.half_length, cut)
-    room = np.where(beams.built & joined.any(axis=1), taken[:, 1] - taken[:, 0], np.inf)
-    worst = int(np.argmin(room))
-    if room[worst] >= 0:
-        return
-    length = float(beams.lengths[worst])
-    raise InputError(
-        f"beam ends: {part_names('B', len(edges))[worst]} is on an edge {length:.1f} mm long, its "
-        f"cover plates and the arms before them take {length - float(room[worst]):.1f} mm; take "
-        "smaller bolts, longer edges, or bolted hubs"
-    )
