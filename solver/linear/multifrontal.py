@@ -26,7 +26,7 @@ from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray
 
 # Borders that fall into more runs than this are added entry by entry.
-_MOST_RUNS = 8
+_MOST_RUNS = 40
 
 _Run: TypeAlias = tuple[slice | IntArray, slice | IntArray]
 _Index: TypeAlias = tuple[slice | IntArray, slice | IntArray]
