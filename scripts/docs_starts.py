@@ -54,8 +54,8 @@ ROWS, COLUMNS, EDGE = 26, 19, 1.3
 NOISY = {
     "isogonal": (0.0, None),
     "isothermic": (0.0, None),
-    "planar-lines": (None,),
-    "planar-lines, both": (None,),
+    "planar-lines": (0.0, None),
+    "planar-lines, both": (0.0, None),
     "pseudo-geodesic": (0.0, None),
     "pseudo-geodesic, 60": (0.0, None),
 }

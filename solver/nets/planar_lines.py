@@ -9,7 +9,7 @@ import numpy as np
 from solver.analysis import lines, measures
 from solver.errors import InputError
 from solver.mesh.quadmesh import FloatArray, QuadMesh
-from solver.nets.net import Measure, Net
+from solver.nets.net import Measure, Net, Way
 from solver.nets.options import NetOptions
 from solver.nets.orthogonal import require_angle
 from solver.nets.principal import PLANARITY
@@ -111,5 +111,6 @@ NETS = (
         telling=True,
         nearest=True,
         conjugate=True,
+        way=Way(calms=True),
     ),
 )
