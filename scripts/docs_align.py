@@ -47,7 +47,7 @@ from solver.mesh.closest import TriangleSurface  # noqa: E402
 from solver.mesh.grid import grid_mesh  # noqa: E402
 from solver.mesh.quadmesh import FloatArray  # noqa: E402
 from solver.nets.constraints import BoundaryGlide  # noqa: E402
-from tests.design_surfaces import BENT, HIP, groined, random_surface  # noqa: E402
+from tests.design_surfaces import HIP, WING, groined, random_surface  # noqa: E402
 from tests.design_surfaces import sheet as roof_of  # noqa: E402
 
 PAGE = ROOT / "docs" / "sources.md"
@@ -278,11 +278,11 @@ def picture(target: str) -> None:
 
 
 def roofs(target: str) -> None:
-    """Nets on a hip roof, one with a valley, and a cross vault, with irregular vertices."""
+    """Nets on two roofs and a cross vault, with irregular vertices."""
     panels = []
     for name, given in (
         ("hip roof", roof_of(HIP)),
-        ("two wings and a valley", roof_of(BENT)),
+        ("lower wing and window", roof_of(WING)),
         ("cross vault", groined()),
     ):
         made = aligned(*given, edge=1.2)

@@ -16,12 +16,16 @@ from solver.last_phase import Aim
 from solver.linear.backends import default_backend
 from solver.mesh.local_origin import LocalOrigin
 from solver.mesh.quadmesh import FloatArray, QuadMesh
+from solver.nearest import NearestNet
 from solver.plan import Attempt, Attempts, alone
 from solver.problem import Problem
 from solver.repetition import Repeat
 from solver.report import STOPPED, Outcome, StepRecord
 from solver.summary import RunSummary, summarise
 from solver.whole_plan import Ended, WholePlan
+
+# Residuals, and moves in mean edges, that come of coordinates with seven digits.
+_ROUNDED = 1e-5
 
 
 class Optimisation:
@@ -81,10 +85,19 @@ class Optimisation:
         if not original.free.any():
             self._go_on(self._ended())
         elif accept_start:
-            start = judge(original, original.start, tolerance)
+            start = self._rounded(judge(original, original.start, tolerance))
             if start.valid:
                 self._way = self._plan.from_net(self._plan.best.consider(start))
                 self._go_on(None)
+
+    def _rounded(self, start: Candidate) -> Candidate:
+        """A net that its file rounded, exact again by corrections of least length."""
+        if start.valid or start.worst > _ROUNDED:
+            return start
+        exact = NearestNet(self.original, start.x, [], self.backend).exact()
+        found = judge(self.original, exact, self.tolerance)
+        moved = np.linalg.norm(found.mesh.vertices - start.mesh.vertices, axis=1).max()
+        return found if found.valid and moved < _ROUNDED * start.mesh.mean_edge else start
 
     def afresh(self, descent: Descent) -> Optimisation:
         """The same from the beginning, with its first attempt under way already.

@@ -19,7 +19,7 @@ from solver.mesh.connectivity import BoolArray, IntArray, cycles
 from solver.mesh.quadmesh import FloatArray, unit_rows
 
 # A face with a larger angle between two of its sides goes straight on there.
-_STRAIGHT = np.radians(150.0)
+STRAIGHT = np.radians(150.0)
 # Cosine of the angle by which a crease may turn where it is carried on.
 _ON = 0.7
 # What a surface turns by at a crease that fades out.
@@ -66,13 +66,16 @@ class FlatFaces:
     triangles: list[IntArray]
 
     @classmethod
-    def of(cls, mesh: TriangleMesh, sharp: BoolArray, edge: float) -> FlatFaces | None:
+    def of(
+        cls, mesh: TriangleMesh, sharp: BoolArray, edge: float, most: int = MOST
+    ) -> FlatFaces | None:
         """Part a surface at its creases.
 
         Args:
             mesh: the surface.
             sharp: (E,) which inner edges are creases.
             edge: wanted edge length; the border is looked at over as much.
+            most: faces that are not too many.
 
         Returns:
             two faces or more; None where one has an opening, a crease that ends in it, or fewer
@@ -81,7 +84,7 @@ class FlatFaces:
         first, second = (mesh.edges // 3).T
         label = components(len(mesh.triangles), first[~sharp], second[~sharp])
         count = int(label.max()) + 1
-        if not 1 < count <= MOST or (sharp & (label[first] == label[second])).any():
+        if not 1 < count <= most or (sharp & (label[first] == label[second])).any():
             return None
         bounds = list(_loops(mesh, label, count))
         if any(len(loops) != 1 for loops in bounds):
@@ -278,7 +281,7 @@ def _sides(
 ) -> list[Side]:
     """The sides of a face; chains that no other face has made are added."""
     at = np.flatnonzero(corner[loop])
-    turns = np.flatnonzero(angles[loop[at]] < _STRAIGHT)
+    turns = np.flatnonzero(angles[loop[at]] < STRAIGHT)
     if not len(turns):
         return []
     found: list[Side] = []

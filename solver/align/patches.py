@@ -16,6 +16,7 @@ from scipy.spatial import cKDTree
 from solver.align.facets import MOST, FlatFaces, Side, carried_on, faces, turning, zipped
 from solver.align.features import Features, creased
 from solver.align.field import GuidingField
+from solver.align.parting import parted
 from solver.align.patch_counts import counts_along
 from solver.align.prepare import Work
 from solver.align.remarks import turned_by
@@ -40,6 +41,8 @@ _ACROSS = 20.0
 _BESIDE = 1.5
 # In edges, how far a crease is carried on where the surface does not turn.
 _GAP = 1.5
+# Faces may be parted into so many each, on average.
+_PARTS = 4
 # Cosines that corners of a principal net may have.
 _UPRIGHT = 1e-6
 # What becomes of flat panels with right corners, and with others.
@@ -64,16 +67,19 @@ def net_on_flat_faces(
     if not 1 < faces(surface, turning(surface, _FOLDED)) <= MOST:
         return None
     surface = zipped(surface, _HAIR * edge)
-    facets = FlatFaces.of(surface, turning(surface, _FOLDED), edge)
-    if facets is None or not facets.flat(surface):
+    sharp = turning(surface, _FOLDED)
+    count = faces(surface, sharp)
+    made = parted(surface, sharp, edge)
+    facets = None if made is None else FlatFaces.of(*made, edge, _PARTS * MOST)
+    if made is None or facets is None or not facets.flat(made[0]):
         return None
-    net = net_on_facets(surface, facets, mirrors, edge)
+    net = net_on_facets(made[0], facets, mirrors, edge)
     if net is not None:
         right = orthogonality(net).max() < _UPRIGHT
         made_of = Sentence(
             "the surface is made of {} flat faces: lines run along all creases between them and "
             "along the border, where the net ends",
-            len(facets.sides),
+            count,
         )
         remarks += [made_of, _RIGHT if right else _ASKEW]
     return net

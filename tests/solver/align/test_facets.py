@@ -13,7 +13,7 @@ from solver.align.patch_counts import counts_along
 from solver.align.triangle_mesh import one_surface
 from solver.analysis import measures
 from solver.mesh.closest import TriangleSurface
-from tests.design_surfaces import BENT, GABLE, HIP, groined, sheet
+from tests.design_surfaces import BENT, GABLE, HIP, WING, groined, sheet
 
 UP = np.array([0.3, -0.2, 0.933])
 
@@ -28,13 +28,15 @@ def run_along(net, start, end):
     start, end = np.array(start, dtype=float), np.array(end, dtype=float)
     along = (end - start) / np.linalg.norm(end - start)
     arms = net.vertices - start
-    on = np.linalg.norm(arms - np.outer(arms @ along, along), axis=1) < 1e-9
+    part = arms @ along / np.linalg.norm(end - start)
+    on = np.linalg.norm(arms - np.outer(arms @ along, along), axis=1) < 1e-8
+    on &= (part > -1e-6) & (part < 1 + 1e-6)
     edges = net.connectivity.edges
     return net.edge_lengths[on[edges].all(axis=1)].sum() / np.linalg.norm(end - start)
 
 
 @pytest.mark.parametrize("border", ["trim", "follow"])
-@pytest.mark.parametrize(("roof", "irregular"), [(HIP, 4), (BENT, 0), (GABLE, 0)])
+@pytest.mark.parametrize(("roof", "irregular"), [(HIP, 4), (BENT, 0), (GABLE, 0), (WING, 2)])
 def test_lines_run_along_eaves_ridges_hips_and_valleys(roof, irregular, border):
     points, triangles = sheet(roof)
     made = aligned(points, triangles, edge=1.2, border=border)
@@ -43,13 +45,15 @@ def test_lines_run_along_eaves_ridges_hips_and_valleys(roof, irregular, border):
     creases = turning(mesh, 0.03)
     for one, two in [*zip(start, end, strict=True), *np.transpose(mesh.ends)[creases]]:
         assert run_along(made.mesh, mesh.points[one], mesh.points[two]) == pytest.approx(1.0)
-    assert measures.planarity(made.mesh).max() < 1e-12
+    # Coordinates are rounded to a part of 2^32 of the size, which those of the others have already.
+    near = 1e-8 if roof is WING else 1e-12
+    assert measures.planarity(made.mesh).max() < near
     assert (
         np.linalg.norm(
             TriangleSurface(points, triangles).closest(made.mesh.vertices)[0] - made.mesh.vertices,
             axis=1,
         ).max()
-        < 1e-12
+        < near
     )
     assert made.mesh.mean_edge == pytest.approx(1.2, rel=0.1)
     assert made.mesh.edge_lengths.min() > 0.4 * made.mesh.mean_edge
