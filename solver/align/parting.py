@@ -23,6 +23,8 @@ _MOST = 60
 _ON, _NEAR = 1e-5, 0.4
 # Cosine of the angle by which a line turns for that at most.
 _AIM = 0.9
+# Slope of a face that is level.
+_LEVEL = 1e-6
 # A crease is carried on where both parts of the corner keep an angle like this.
 _WIDE = np.radians(50.0)
 
@@ -182,14 +184,18 @@ class _Corner:
     @property
     def _normal(self) -> FloatArray:
         mesh, own = self.mesh, self.triangles
-        return unit_rows((mesh.normals[own] * mesh.areas[own, None]).sum(axis=0)[None])[0]
+        summed = (mesh.normals[own] * mesh.areas[own, None]).sum(axis=0)
+        found: FloatArray = unit_rows(summed[None])[0]
+        return found
 
     @property
     def _slope(self) -> FloatArray:
         """The line of slope, nothing on a level face."""
-        down = np.array([0.0, 0.0, 1.0]) - self._normal[2] * self._normal
-        size = float(np.linalg.norm(down))
-        return down / size if size > 1e-6 else 0 * down
+        down: FloatArray = np.array([0.0, 0.0, 1.0]) - self._normal[2] * self._normal
+        if np.linalg.norm(down) < _LEVEL:
+            return np.zeros(3)
+        steepest: FloatArray = unit_rows(down[None])[0]
+        return steepest
 
     def _ways(self) -> list[FloatArray]:
         """Directions in which the line may run: on from a crease, or from both sides."""
