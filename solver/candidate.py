@@ -106,7 +106,8 @@ class Candidate:
     @property
     def creased(self) -> bool:
         """Sharp creases appeared that the input did not have; folded faces are ``flipped``."""
-        return self.crease > max(self.tuning.creased, 2 * self.crease_start)
+        tuning = self.tuning
+        return self.crease > max(tuning.creased, tuning.creasing * self.crease_start)
 
     @property
     def resized(self) -> bool:
@@ -137,12 +138,10 @@ class Candidate:
 
     @property
     def likeness(self) -> float:
-        """Part of the input's area, smoothness and edges that is left: the least of them.
-
-        Short edges count half: they may come of a net that is finer in places.
-        """
+        """Part of the input's area, evenness and edges that is left: the least, to a hundredth."""
         area = 1.0 if self.may_resize else min(self.area_ratio, 1 / max(self.area_ratio, 1e-9))
-        return round(min(0.5 * (1.0 + self.kept), area, 1.0 - self.roughened), 2)
+        unlike = self.tuning.unlike
+        return round(min(1.0 - unlike + unlike * self.kept, area, 1.0 - self.roughened), 2)
 
 
 def judge(

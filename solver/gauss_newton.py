@@ -144,7 +144,7 @@ class Descent:
         """
         if self.holds(steps_left):
             return False
-        if record.worst < 0.5 * self._best_worst:
+        if record.worst < self._tuning.progress * self._best_worst:
             self._best_worst, self._idle = record.worst, 0
         elif self.fade == 0.0:
             self._idle += 1
@@ -193,8 +193,8 @@ class Descent:
 
     @property
     def _slow(self) -> bool:
-        """Whether the last step left more than half of the largest residual."""
-        return self._last_worst > 0.5 * self._worst_before
+        """Whether the last step left much of the largest residual."""
+        return self._last_worst > self._tuning.slow * self._worst_before
 
     @property
     def pulled(self) -> bool:

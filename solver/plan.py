@@ -136,7 +136,9 @@ class Plan:
         ladder = self._ladder
         smoother = [replace(one, fairness=easier.fairness * one.fairness) for one in ladder]
         if easier.evenness:
-            ladder = smoother = [one.even(easier.evenness) for one in smoother[:2]]
+            ladder = smoother = [
+                one.even(easier.evenness) for one in smoother[: self.tuning.drawn_even]
+            ]
         problem = self._pose(NETS[easier.net], self.mesh, smoother)
         for attempt in _attempts(problem, smoother, easier=True):
             reached = yield attempt

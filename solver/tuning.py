@@ -17,13 +17,15 @@ class Tuning:
         fade: factor on the guides from step to step: they lead for some twenty steps.
         fade_end: below this they are switched off, far below rounding of the constraints.
         near: with every residual below this, the net is reached without guides.
-        patience: steps without halving the worst residual, with the guides gone, after which an
-            attempt counts as stuck.
+        patience: steps without progress, with the guides gone, after which an attempt counts as
+            stuck;
+        progress: it is made where the worst residual is less than this part of the least before.
         pace: by so many steps without guides the pace of an attempt at a rigid net is judged;
         hopeless: it is given up where it would go on for more steps than that.
         margin: stop this far below the tolerance: the last Gauss-Newton step costs little and
             squares the error;
-        slow_margin: and only this far where it does not square it.
+        slow_margin: and only this far where it does not square it,
+        slow: but leaves more than this part of the largest residual.
         hold: handles are followed with the guides at this factor, where the mesh is nearly a net,
         calm: until so many steps in turn
         rest: are this small: what follows depends on where the handles are, not on the way there;
@@ -62,6 +64,7 @@ class Tuning:
         nearest_fairness: factors of the attempt that looks for the nearest net: on fairness
         nearest_closeness: and on closeness.
         fairer: factor on fairness of the attempts against collapse: once, and squared.
+        drawn_even: so many of them at an easier net that is drawn even, where they hardly differ.
         keeping: weights of isometry in the attempts after one whose surface grew or shrank.
         handles: weight of handles.
         close_to: weight of a surface to stay close to, in closeness of one vertex.
@@ -71,12 +74,15 @@ class Tuning:
             this factor: a little less of it is not worth wandering for.
         shrunk: a result whose shortest edge, relative to the input's, is shorter is a collapse.
         cramped: below this, another attempt with other guides is worth its time,
-        creased: and where faces meet at more than this angle in degrees and twice the input's,
+        creased: and where faces meet at more than this angle in degrees
+        creasing: and so many times the input's,
         whole: and where the area is less than this part of the input's, or more than its inverse,
         even: and where lines zigzag: bend less evenly than this and than the input's
         uneven: by more than that,
         thick: and where a shape that was at least so thick, as part of its size,
         flattened: has less than this part of its thickness left.
+        unlike: short edges count so much against a shape, where lost area counts one: they may
+            come of a net that is finer in places.
         solid: a shape that was no plane to so much of its size,
         gone: and of whose thickness less than that is left, has gone.
         along_evenness: weight of lines that bend evenly in the last phase, where that of the
@@ -174,10 +180,12 @@ class Tuning:
     fade_end: float = 1e-12
     near: float = 1e-6
     patience: int = 25
+    progress: float = 0.5
     pace: int = 20
     hopeless: int = 100
     margin: float = 1e-2
     slow_margin: float = 0.25
+    slow: float = 0.5
     hold: float = 3e-3
     calm: int = 2
     rest: float = 1e-10
@@ -213,6 +221,7 @@ class Tuning:
     nearest_fairness: float = 0.1
     nearest_closeness: float = 10.0
     fairer: float = 10.0
+    drawn_even: int = 2
     keeping: tuple[float, ...] = (0.3, 3.0)
     handles: float = 10.0
     close_to: float = 30.0
@@ -221,11 +230,13 @@ class Tuning:
     shrunk: float = 0.25
     cramped: float = 0.5
     creased: float = 30.0
+    creasing: float = 2.0
     whole: float = 0.92
     even: float = 0.85
     uneven: float = 0.05
     thick: float = 0.02
     flattened: float = 0.4
+    unlike: float = 0.5
     solid: float = 5e-3
     gone: float = 0.1
     along_evenness: float = 0.04
