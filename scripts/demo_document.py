@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,7 @@ import Mesh
 import numpy as np
 import Part
 from pivy import coin
+from PySide import QtCore, QtGui
 
 from freecad_ortho import api, convert
 from freecad_ortho.step_faces import is_step
@@ -31,6 +33,20 @@ OPENING = 0.45
 MARGIN = 0.9
 # The part of the roof that is shown with its panels on; the rest shows the beams.
 CLAD = 0.6
+
+
+def draw_and_end(draw: Callable[[], None]) -> None:
+    """Draw once FreeCAD's window stands, then end FreeCAD whatever happens."""
+
+    def drawn() -> None:
+        try:
+            draw()
+        finally:
+            for name in list(FreeCAD.listDocuments()):
+                FreeCAD.closeDocument(name)
+            QtGui.QApplication.quit()
+
+    QtCore.QTimer.singleShot(500, drawn)
 
 
 def build(order: dict[str, Any]) -> dict[str, Any]:

@@ -11,7 +11,6 @@ import sys
 
 import FreeCAD
 import FreeCADGui
-from PySide import QtCore, QtGui
 
 ORDER = json.loads(os.environ["ORTHO_DOCS"])
 sys.path[:0] = ORDER["paths"]
@@ -49,14 +48,4 @@ def draw() -> None:
     demo_document.picture(view, ORDER["picture"])
 
 
-def run() -> None:
-    """Draw, then end FreeCAD whatever happens."""
-    try:
-        draw()
-    finally:
-        for name in list(FreeCAD.listDocuments()):
-            FreeCAD.closeDocument(name)
-        QtGui.QApplication.quit()
-
-
-QtCore.QTimer.singleShot(500, run)
+demo_document.draw_and_end(draw)

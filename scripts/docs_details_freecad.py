@@ -11,7 +11,6 @@ import sys
 
 import FreeCAD
 import FreeCADGui
-from PySide import QtCore, QtGui
 
 ORDER = json.loads(os.environ["ORTHO_DOCS"])
 sys.path[:0] = ORDER["paths"]
@@ -86,15 +85,10 @@ def towards(part: object, camera: tuple[float, float, float]) -> float:
     return float(part.points.mean(axis=0) @ np.array(camera))
 
 
-def run() -> None:
-    """Draw, then end FreeCAD whatever happens."""
-    try:
-        for name in ORDER["names"]:
-            draw(name)
-    finally:
-        for name in list(FreeCAD.listDocuments()):
-            FreeCAD.closeDocument(name)
-        QtGui.QApplication.quit()
+def draw_all() -> None:
+    """One picture a name."""
+    for name in ORDER["names"]:
+        draw(name)
 
 
-QtCore.QTimer.singleShot(500, run)
+demo_document.draw_and_end(draw_all)

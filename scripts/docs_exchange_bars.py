@@ -12,14 +12,10 @@ import tempfile
 from pathlib import Path
 from xml.etree import ElementTree
 
-import matplotlib
 import numpy as np
-
-matplotlib.use("Agg")
-
-import matplotlib.pyplot as plt
+import small_pictures
+from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
-from PIL import Image
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
@@ -67,11 +63,7 @@ def of_boards(parts: list[ElementTree.Element]) -> None:
     for axes, part in zip(np.atleast_1d(places), parts, strict=True):
         of_board(axes, part)
     figure.tight_layout()
-    path = FOLDER / "btlx.png"
-    figure.savefig(path)
-    plt.close(figure)
-    with Image.open(path) as picture:
-        picture.convert("RGB").quantize(32).save(path, optimize=True)
+    small_pictures.save(figure, FOLDER / "btlx.png", 32)
 
 
 def of_board(axes: Axes, part: ElementTree.Element) -> None:

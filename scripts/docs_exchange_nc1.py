@@ -10,14 +10,10 @@ import sys
 import tempfile
 from pathlib import Path
 
-import matplotlib
 import numpy as np
-
-matplotlib.use("Agg")
-
-import matplotlib.pyplot as plt
+import small_pictures
+from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
-from PIL import Image
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
@@ -44,10 +40,7 @@ def main() -> int:
         bar = mitred(written(bars, Path(name) / "bars"))
     of_bar(axes, bar)
     figure.tight_layout()
-    figure.savefig(PICTURE)
-    plt.close(figure)
-    with Image.open(PICTURE) as picture:
-        picture.convert("RGB").quantize(32).save(PICTURE, optimize=True)
+    small_pictures.save(figure, PICTURE, 32)
     return 0
 
 

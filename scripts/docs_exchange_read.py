@@ -15,14 +15,10 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
-import matplotlib
 import numpy as np
-
-matplotlib.use("Agg")
-
-import matplotlib.pyplot as plt
+import small_pictures
+from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
-from PIL import Image
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
@@ -71,10 +67,7 @@ def main() -> int:
             show(axes, title, f"{len(parts)} parts, {volume * 1e-9:.4f} m3", parts)
             print(f"{title}: {len(parts)} parts, volume off by {volume / expected - 1:.1e}")
     figure.subplots_adjust(0.01, 0.03, 0.99, 0.96, 0.02, 0.14)
-    figure.savefig(PICTURE)
-    plt.close(figure)
-    with Image.open(PICTURE) as picture:
-        picture.convert("RGB").quantize(128).save(PICTURE, optimize=True)
+    small_pictures.save(figure, PICTURE, 128)
     return 0
 
 

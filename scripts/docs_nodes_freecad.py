@@ -11,7 +11,6 @@ import sys
 
 import FreeCAD
 import FreeCADGui
-from PySide import QtCore, QtGui
 
 ORDER = json.loads(os.environ["ORTHO_DOCS"])
 sys.path[:0] = ORDER["paths"]
@@ -73,14 +72,4 @@ def towards_camera(part: object, centre: np.ndarray) -> float:
     return float((part.points.mean(axis=0) - centre) @ np.array(demo_document.CAMERA))
 
 
-def run() -> None:
-    """Draw, then end FreeCAD whatever happens."""
-    try:
-        draw()
-    finally:
-        for name in list(FreeCAD.listDocuments()):
-            FreeCAD.closeDocument(name)
-        QtGui.QApplication.quit()
-
-
-QtCore.QTimer.singleShot(500, run)
+demo_document.draw_and_end(draw)

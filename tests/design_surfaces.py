@@ -33,6 +33,14 @@ def saddle(u, v):
     return 30 * u + 3 * v, 20 * v - 4 * u, 12 * u**2 - 20 * v**2 + 2 * u * v
 
 
+def saddle_face(cadquery):
+    """The saddle as a face of a CAD model, in mm."""
+    u, v = np.meshgrid(np.linspace(0, 1, 21), np.linspace(0, 1, 15), indexing="ij")
+    rows = 1000 * np.stack(saddle(u, v), axis=-1)
+    points = [[cadquery.Vector(*place) for place in row] for row in rows.tolist()]
+    return cadquery.Face.makeSplineApprox(points, tol=0.01)
+
+
 def dome(u, v):
     """A dome over a rectangle, with umbilics."""
     u, v = u - 0.5, v - 0.5

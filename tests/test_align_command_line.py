@@ -11,7 +11,7 @@ from freecad_ortho.__main__ import main
 from solver import read_mesh
 from solver.analysis import measures
 from solver.mesh.closest import TriangleSurface
-from tests.design_surfaces import saddle, triangles
+from tests.design_surfaces import saddle, saddle_face, triangles
 
 
 @pytest.fixture(scope="module")
@@ -107,10 +107,7 @@ def test_singularities_are_written_edited_and_read(surface_file, tmp_path, capsy
 
 def test_faces_of_a_step_file(tmp_path, capsys):
     cadquery = pytest.importorskip("cadquery")
-    u, v = np.meshgrid(np.linspace(0, 1, 21), np.linspace(0, 1, 15), indexing="ij")
-    rows = 1000 * np.stack(saddle(u, v), axis=-1)
-    points = [[cadquery.Vector(*place) for place in row] for row in rows.tolist()]
-    face = cadquery.Face.makeSplineApprox(points, tol=0.01)
+    face = saddle_face(cadquery)
     step, out = tmp_path / "saddle.step", tmp_path / "net.json"
     cadquery.exporters.export(cadquery.Workplane(face), str(step))
     assert main(["align", str(step), "--edge", "2.5", "--unit", "m", "-o", str(out)]) == 0

@@ -9,7 +9,6 @@ import signal
 import subprocess
 import sys
 
-import numpy as np
 import pytest
 
 from freecad_ortho.__main__ import main
@@ -19,7 +18,7 @@ from solver.analysis import measures
 from solver.analysis.form import off_surface
 from solver.mesh.closest import TriangleSurface
 from tests.conftest import ROOT
-from tests.design_surfaces import saddle, triangles
+from tests.design_surfaces import saddle, saddle_face, triangles
 
 NETS = {"aligned.json", "aligned.obj", "net.json", "net.obj"}
 PANELS = ["--system", "panels", "--panel-thickness", "8"]
@@ -206,10 +205,7 @@ def test_ctrl_c_keeps_what_is_done_and_the_next_run_goes_on(surface_file, tmp_pa
 
 def test_faces_of_a_step_file(tmp_path, capsys):
     cadquery = pytest.importorskip("cadquery")
-    u, v = np.meshgrid(np.linspace(0, 1, 21), np.linspace(0, 1, 15), indexing="ij")
-    rows = 1000 * np.stack(saddle(u, v), axis=-1)
-    points = [[cadquery.Vector(*place) for place in row] for row in rows.tolist()]
-    face = cadquery.Face.makeSplineApprox(points, tol=0.01)
+    face = saddle_face(cadquery)
     step, out = tmp_path / "saddle.step", tmp_path / "out"
     floor = cadquery.Workplane().box(1000, 1000, 1000).val()
     both = cadquery.Compound.makeCompound([face, floor])

@@ -6,12 +6,11 @@ from typing import Any
 
 import FreeCAD
 from pivy import coin
-from PySide import QtGui
 
 from freecad_ortho import answers
 from freecad_ortho.objects.properties import Property, Stateless, ensure
 from freecad_ortho.resources import icon
-from freecad_ortho.view import legends, refresh, scene
+from freecad_ortho.view import context_menu, legends, refresh, scene
 from freecad_ortho.view.check_combination import COMBINATIONS_FROM, GOVERNING, choices
 from freecad_ortho.view.check_diagram import (
     DIAGRAMS,
@@ -183,9 +182,7 @@ class CheckView(Stateless):
                 lambda: answers.ask("analyse check", self.Object),
             ),
         ):
-            entry = QtGui.QAction(words, menu)
-            entry.triggered.connect(lambda *_, action=action: action())
-            menu.addAction(entry)
+            context_menu.offer(menu, words, action)
 
     def updateData(self, feature: Any, name: str) -> None:
         """Follow the results, in whatever order they change: undo has one of its own."""

@@ -6,13 +6,12 @@ from typing import Any
 
 import FreeCAD
 from pivy import coin
-from PySide import QtGui
 
 from freecad_ortho import answers
 from freecad_ortho.objects.drawings import flat_shape
 from freecad_ortho.objects.properties import Property, Stateless, ensure
 from freecad_ortho.resources import icon
-from freecad_ortho.view import refresh
+from freecad_ortho.view import context_menu, refresh
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
@@ -57,9 +56,8 @@ class FlatPatternsView(Stateless):
 
     def setupContextMenu(self, view_object: Any, menu: Any) -> None:
         """Offer the settings in the tree."""
-        action = QtGui.QAction(FreeCAD.Qt.translate("Ortho", "Edit settings"), menu)
-        action.triggered.connect(lambda: self.doubleClicked(view_object))
-        menu.addAction(action)
+        words = FreeCAD.Qt.translate("Ortho", "Edit settings")
+        context_menu.offer(menu, words, lambda: self.doubleClicked(view_object))
 
     def updateData(self, feature: Any, name: str) -> None:
         """Follow the names; their places change last."""

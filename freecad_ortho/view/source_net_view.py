@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 import FreeCAD
-from PySide import QtGui
 
 from freecad_ortho import answers
 from freecad_ortho.resources import icon
+from freecad_ortho.view import context_menu
 from freecad_ortho.view.net_view import NetView
 
 _ICONS = {
@@ -39,9 +39,8 @@ class SourceNetView(NetView):
 
     def setupContextMenu(self, view_object: Any, menu: Any) -> None:
         """Offer the options of the source in the tree."""
-        action = QtGui.QAction(FreeCAD.Qt.translate("Ortho", "Edit source"), menu)
-        action.triggered.connect(lambda: self._edit_source(view_object))
-        menu.addAction(action)
+        words = FreeCAD.Qt.translate("Ortho", "Edit source")
+        context_menu.offer(menu, words, lambda: self._edit_source(view_object))
 
     def _edit_source(self, view_object: Any) -> bool:
         answers.ask("edit source", view_object.Object)

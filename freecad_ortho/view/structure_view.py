@@ -5,12 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 import FreeCAD
-from PySide import QtGui
 
 from freecad_ortho import answers, preferences
 from freecad_ortho.objects.properties import Property, Stateless, ensure
 from freecad_ortho.resources import icon
-from freecad_ortho.view import refresh
+from freecad_ortho.view import context_menu, refresh
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
@@ -79,9 +78,8 @@ class StructureView(Stateless):
 
     def setupContextMenu(self, view_object: Any, menu: Any) -> None:
         """Offer the settings in the tree."""
-        action = QtGui.QAction(FreeCAD.Qt.translate("Ortho", "Edit settings"), menu)
-        action.triggered.connect(lambda: self.doubleClicked(view_object))
-        menu.addAction(action)
+        words = FreeCAD.Qt.translate("Ortho", "Edit settings")
+        context_menu.offer(menu, words, lambda: self.doubleClicked(view_object))
 
     def _colour(self) -> None:
         """Give every face the colour of its part's verdict, or all the same again."""

@@ -12,6 +12,11 @@ from freecad_ortho.fabrication.systems.system import System
 from freecad_ortho.fabrication.workshop import Workshop
 from freecad_ortho.words import counted
 
+# What systems of sheets that span several faces are not built with.
+OVER_NODES = {
+    "nodes": "cannot be built together: the sheets run over the nodes; take panels, or leave "
+    "the nodes out"
+}
 # The workshop's own, so that a size is given once.
 SHEET_OPTIONS = tuple(
     option for option in Workshop.options if option.name in ("sheet", "spacing", "grain", "kerf")

@@ -26,6 +26,7 @@ from freecad_ortho.fabrication.systems.panels.geometry import (
 )
 from freecad_ortho.fabrication.systems.shared_options import LEAST_WIDTH, joint, plate_thickness
 from freecad_ortho.fabrication.systems.sheets import (
+    OVER_NODES,
     SHEET_OPTIONS,
     FromSheets,
     left_out_words,
@@ -89,10 +90,7 @@ class BentPanels(FromSheets):
 
     trims: ClassVar[bool] = True
     name: ClassVar[str] = "bent-panels"
-    excludes: ClassVar[Mapping[str, str]] = {
-        "nodes": "cannot be built together: the sheets run over the nodes; take panels, or leave "
-        "the nodes out"
-    }
+    excludes: ClassVar[Mapping[str, str]] = OVER_NODES
     options: ClassVar[tuple[Option, ...]] = (
         plate_thickness(3.0),
         joint(10.0),

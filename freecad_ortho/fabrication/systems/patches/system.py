@@ -22,6 +22,7 @@ from freecad_ortho.fabrication.systems.patches.sheet import half_thicknesses
 from freecad_ortho.fabrication.systems.patches.splitting import cuts_to_fit
 from freecad_ortho.fabrication.systems.shared_options import LEAST_WIDTH, joint, plate_thickness
 from freecad_ortho.fabrication.systems.sheets import (
+    OVER_NODES,
     SHEET_OPTIONS,
     FromSheets,
     left_out_words,
@@ -63,10 +64,7 @@ class Patches(FromSheets):
 
     trims: ClassVar[bool] = True
     name: ClassVar[str] = "patches"
-    excludes: ClassVar[Mapping[str, str]] = {
-        "nodes": "cannot be built together: the sheets run over the nodes; take panels, or leave "
-        "the nodes out"
-    }
+    excludes: ClassVar[Mapping[str, str]] = OVER_NODES
     options: ClassVar[tuple[Option, ...]] = (
         plate_thickness(3.0),
         joint(10.0, "patches"),
