@@ -6,10 +6,13 @@ import inspect
 import re
 from collections.abc import Callable, Iterable, Mapping
 from functools import wraps
-from typing import Any
+from typing import Any, ParamSpec, TypeVar
 
 from freecad_ortho import keywords, option_keywords
 from solver.errors import refuse_unknown
+
+_P = ParamSpec("_P")
+_R = TypeVar("_R")
 
 _UNPACKED = re.compile(r"Unpack\[(\w+)\]")
 
@@ -59,7 +62,7 @@ def spelled_out(
     return signature.replace(parameters=[*others, *single])
 
 
-def listing_keywords(function: Callable[..., Any]) -> Callable[..., Any]:
+def listing_keywords(function: Callable[_P, _R]) -> Callable[_P, _R]:
     """The function, which refuses a keyword that it does not have by listing those that it has.
 
     One that takes the settings of a table shows them as its own, and refuses others itself.
@@ -75,18 +78,18 @@ def listing_keywords(function: Callable[..., Any]) -> Callable[..., Any]:
     known = [one.name for one in parameters if one.kind is not inspect.Parameter.POSITIONAL_ONLY]
 
     @wraps(function)
-    def listing(*arguments: Any, **settings: Any) -> Any:
+    def listing(*arguments: _P.args, **settings: _P.kwargs) -> _R:
         refuse_unknown(function.__name__, settings, known)
         return function(*arguments, **settings)
 
     return listing
 
 
-def _showing(function: Callable[..., Any], signature: inspect.Signature) -> Callable[..., Any]:
+def _showing(function: Callable[_P, _R], signature: inspect.Signature) -> Callable[_P, _R]:
     """The function, with another signature in its help."""
 
     @wraps(function)
-    def showing(*arguments: Any, **settings: Any) -> Any:
+    def showing(*arguments: _P.args, **settings: _P.kwargs) -> _R:
         return function(*arguments, **settings)
 
     showing.__signature__ = signature  # type: ignore[attr-defined]

@@ -68,7 +68,8 @@ def selected_nets_and_structures() -> list[FreeCAD.DocumentObject]:
     ]
 
 
-def run(function: str, *arguments: Any, **settings: Any) -> None:
+# Any keyword: which of them there are, and of what type, the function itself says and checks.
+def run(function: str, *arguments: object, **settings: object) -> None:
     """Run a function of freecad_ortho.api so that macros record it, with all that it needs.
 
     Args:
@@ -90,7 +91,7 @@ def _net_of(feature: Any) -> FreeCAD.DocumentObject | None:
     return feature.Net if is_structure(feature) or is_check(feature) else None
 
 
-def _source(value: Any) -> str:
+def _source(value: object) -> str:
     """Write a value as Python source."""
     if isinstance(value, list):
         return "[" + ", ".join(map(_source, value)) + "]"
