@@ -54,12 +54,14 @@ class Range(NamedTuple):
         most: the largest one.
         above: whether it has to be above ``least``, which is itself not allowed.
         below: whether it has to be below ``most``.
+        zero: whether 0 is one of them, where it lies between.
     """
 
     least: float = -math.inf
     most: float = math.inf
     above: bool = False
     below: bool = False
+    zero: bool = True
 
     @property
     def closed(self) -> bool:
@@ -70,14 +72,14 @@ class Range(NamedTuple):
         """Whether a number is one of them."""
         low = value > self.least if self.above else value >= self.least
         high = value < self.most if self.below else value <= self.most
-        return low and high
+        return low and high and (self.zero or value != 0)
 
     def words(self, unit: str = "") -> str:
         """Say which these are, as ``0 to 10 mm``; nothing where any number is."""
         least, most, unit = f"{self.least:g}", f"{self.most:,g}", f" {unit}" * bool(unit)
         if math.isinf(self.most):
             if math.isinf(self.least):
-                return ""
+                return "" if self.zero else "a number other than 0"
             return f"a number above {least}{unit}" if self.above else f"{least}{unit} or more"
         if math.isinf(self.least):
             return f"a number below {most}{unit}" if self.below else f"{most}{unit} at most"
@@ -90,6 +92,7 @@ class Range(NamedTuple):
 
 POSITIVE = Range(0.0, above=True)
 NOT_NEGATIVE = Range(0.0)
+NOT_ZERO = Range(zero=False)
 # Of kinds that are not just any number; a length that is found where none is given is positive.
 _RANGES = {"length": NOT_NEGATIVE, "weight": NOT_NEGATIVE, "count": NOT_NEGATIVE}
 _UNITS = {"angle": "degrees", "percent": "%", "pressure": "kN/m2"}
@@ -231,14 +234,16 @@ class Option:
         numbers = tuple(value) if many else (value,)
         count = len(self.default) if self.several else 1
         if len(numbers) != count or not all(map(_is_number, numbers)):
-            words = f"{count} numbers" if count > 1 else "a number"
+            words = f"{count} finite numbers" if count > 1 else "a finite number"
             raise InputError(f"{self.words_of_name}: expected {words}, got {value!r}")
         whole = self.kind == "count"
         if not all(self.range.holds(item) and not (whole and item % 1) for item in numbers):
             of = {"length": unit, "distance": unit, "area": f"{unit}2", **_UNITS}
             words = self.range.words(of.get(self.kind, ""))
+            left_out = self.absent if self.default is None and value == 0 else ""
             raise InputError(
                 f"{self.words_of_name}: expected {'a whole number, ' * whole}{words}, got {value!r}"
+                + f"; without it: {left_out}" * bool(left_out)
             )
 
 

@@ -277,7 +277,10 @@ def test_the_advisor_knows_where_asymptotic_lines_are(tmp_path, capsys):
         (["--supports-fixed"], "--supports-fixed: only stress nets have it, not principal"),
         (["--singular", "maybe"], "singular: expected exempt or include"),
         (["--within", "0"], "within: expected a number above 0"),
-        (["--net", "planar", "--flatness", "0"], "flatness: expected a positive length, got 0"),
+        (
+            ["--net", "planar", "--flatness", "0"],
+            "flatness: expected a number above 0, got 0.0; without it: exactly flat",
+        ),
         (["--flatness", "2mm"], "--flatness: only planar nets have it, not principal"),
         (
             ["--net", "conical", "--diagonal"],

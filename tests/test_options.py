@@ -170,7 +170,7 @@ def test_systems_that_share_an_option_mean_the_same_by_it():
         (lambda: one_of("curve", ["a"], {"wave": 1}), r"""curve: expected wave, got "\['a'\]\""""),
         (lambda: number_within("scale", -1), "scale: expected a number above 0, got -1"),
         (lambda: number_within("wall", 0, unit="mm"), "wall: expected a number above 0 mm, got 0"),
-        (lambda: number_within("scale", math.nan), "scale: expected a number, got nan"),
+        (lambda: number_within("scale", math.nan), "scale: expected a finite number, got nan"),
         (lambda: whole_number("rings", 1, Range(2)), "rings: .* whole number, 2 or more, got 1"),
         (lambda: whole_number("rings", 2.5, Range(2)), "rings: .* whole number, .* got 2.5"),
     ],

@@ -242,7 +242,10 @@ def test_formfind_from_flat_to_minimal(tmp_path, capsys):
             "--moving: expected lambda, mu or nu",
         ),
         ("multinet --axes 9,5,2 --moving mu --sampling 4", "--sampling: expected MxN"),
-        ("multinet --axes 9,5,2 --moving mu --sampling 1x4", "sampling: expected at least 2 x 2"),
+        (
+            "multinet --axes 9,5,2 --moving mu --sampling 1x4",
+            "sampling: expected a whole number, 2 or more",
+        ),
         (
             "multinet --axes 9,5,2 --moving mu --sampling 4x4 --range -6,-3",
             "t: expected -5 <= T0 < T1 <= -2 for this",
@@ -283,6 +286,11 @@ def test_formfind_from_flat_to_minimal(tmp_path, capsys):
             "--set radius: expected a finite number",
         ),
         ("primitive sphere --sampling 99999999x4", "--sampling: expected MxN"),
+        ("primitive sphere --sampling 4x4 --set girth=2", "sphere: has sampling, radius, angles"),
+        (
+            "primitive sphere --sampling 4x4 --set placement=2",
+            "--set placement: is said by --centre",
+        ),
         ("primitive rotational --sampling 4x4 --set profile=nowhere.txt", "nowhere.txt: no such"),
         (
             "multinet --axes 9,5,2 --quadric ellipsoid --first-formula s",
@@ -317,6 +325,7 @@ def test_formfind_from_flat_to_minimal(tmp_path, capsys):
         ("formfind nowhere.ply", "nowhere.ply: no such file"),
         ("convert nowhere.stl", "nowhere.stl: .stl holds triangles only"),
         ("fit-multinet nowhere.obj", "nowhere.obj: no such file"),
+        ("fit-multinet WAVE --sampling 1x5", "sampling: expected a whole number, 2 or more"),
         ("fit-multinet WAVE --sampling 3", "--sampling: expected MxN"),
         ("quads nowhere.stl --faces 9", "nowhere.stl: no such file"),
         ("quads WAVE", "remesh: expected either a number of faces"),
@@ -364,7 +373,7 @@ def test_offset_says_what_it_keeps(tmp_path, capsys):
     "words, expected",
     [
         (["--distance", "nan"], "--distance: expected a finite number"),
-        (["--distance", "0"], "distance: expected a finite number other than 0"),
+        (["--distance", "0"], "distance: expected a number other than 0"),
         (["--distance", "-90000"], "folds the offset mesh at edge"),
         (["--distance", "1", "--kind", "corner"], "--kind: expected parallel, vertex"),
         (["--distance", "1", "--report", "OUT"], "is to hold two files"),

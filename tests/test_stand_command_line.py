@@ -38,7 +38,7 @@ def test_the_demo_roof_is_checked_and_reported(tmp_path, capsys):
         (["--material", "butter"], "material: there are no rules for members of 'butter'"),
         (["--snow", "much"], "--snow: expected a finite number"),
         (["--combinations", "none.json"], "none.json: is no JSON file"),
-        (["--lightest-of", "tubes", "--groups", "rows"], "groups: expected all, families, bands"),
+        (["--lightest-of", "tubes", "--groups", "rows"], "groups: expected all, families or bands"),
         (["--section", "tube:60x40x4,roof=tube:80x40x4"], "there is no group 'roof' of members"),
     ],
 )

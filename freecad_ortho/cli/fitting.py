@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 import argparse
+from dataclasses import replace
 
 import numpy as np
 
+from freecad_ortho.cli import options as arguments
 from freecad_ortho.cli import reporting, values
+from freecad_ortho.sources.primitives import sampling
 from solver.multinet import fit_multi_net, multi_net_residual
+
+_SAMPLING = replace(sampling(25, 13), brief="sample the fitted net anew")
 
 
 def add(parser: argparse.ArgumentParser) -> None:
@@ -18,7 +23,7 @@ def add(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("input", metavar="IN.obj")
     values.add_up(parser)
-    parser.add_argument("--sampling", metavar="MxN", help="sample the fitted net anew")
+    arguments.add(parser, _SAMPLING, usual="as the mesh")
     values.add_output(parser)
     parser.set_defaults(run=run)
 
@@ -26,7 +31,9 @@ def add(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Fit and write."""
     values.refuse_unwritable(options.output)
-    counts = values.sampling(options.sampling) if options.sampling else None
+    counts: tuple[int, int] | None = arguments.given((_SAMPLING,), options).get("sampling")
+    if counts:
+        _SAMPLING.check(counts)
     read = reporting.read_net(options)
     before = multi_net_residual(read.near).worst
     fit = fit_multi_net(read.near)

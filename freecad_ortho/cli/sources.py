@@ -151,17 +151,15 @@ def _primitive(options: argparse.Namespace) -> int:
     names = GROUPS["primitive"]
     one_of("NAME", options.name, names)
     entry, unit = source(options.name), options.unit or _UNNAMED
-    known = [option.name for option in entry.options if option.kind != "placement"]
-    formers = [option.former.name for option in entry.options if option.former is not None]
     told = arguments.given((entry.option("sampling"), PLACEMENT), options, unit)
     for setting in options.set:
         key, sign, text = setting.partition("=")
-        if not sign or key not in (*known, *formers):
-            raise InputError(
-                f"--set: expected PARAMETER=VALUE with one of {', '.join(known)}, got "
-                f"'{setting[:40]}'"
-            )
-        told[key] = arguments.read(entry.option(key), text, unit, name=f"--set {key}")
+        if not sign:
+            raise InputError(f"--set: expected PARAMETER=VALUE, got '{setting[:40]}'")
+        option = entry.option(key)
+        if option is PLACEMENT:
+            raise InputError("--set placement: is said by --centre and --rotate")
+        told[key] = arguments.read(option, text, unit, name=f"--set {key}")
     return values.write(options, entry.make(told, unit).mesh, options.unit)
 
 

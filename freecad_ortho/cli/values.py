@@ -59,15 +59,12 @@ def sampling(text: str, option: str = "--sampling", written: str = "MxN") -> tup
     """The two counts of ``MxN``, which is ``written`` so in the help.
 
     Raises:
-        InputError: not two positive whole numbers, or more than ten million vertices.
+        InputError: not two positive whole numbers.
     """
     match = re.fullmatch(r"(\d{1,7})[x,](\d{1,7})", text.strip().lower())
     if match is None:
         raise InputError(f"{option}: expected {written}, e.g. 20x15, got '{text[:40]}'")
-    m, n = int(match[1]), int(match[2])
-    if m * n > 10_000_000:
-        raise InputError(f"{option}: {m} x {n} are more than ten million vertices; take fewer")
-    return m, n
+    return int(match[1]), int(match[2])
 
 
 def add_output(parser: argparse.ArgumentParser) -> None:

@@ -59,5 +59,4 @@ def _refuse_unknown(overlays: Sequence[str]) -> None:
     from freecad_ortho.view.net_properties import OVERLAY_NAMES
 
     for name in overlays:
-        if name not in OVERLAY_NAMES:
-            raise InputError(f"overlay: expected {', '.join(OVERLAY_NAMES)}, got '{name}'")
+        one_of("overlay", name, OVERLAY_NAMES)

@@ -26,6 +26,7 @@ from solver.errors import InputError
 from solver.mesh.local_origin import LocalOrigin, measured_from
 from solver.mesh.mirror import reversed_orientation
 from solver.nets.settings import fixed_vertices
+from solver.option import one_of
 
 if TYPE_CHECKING:
     # Of the standard library from Python 3.11 on.
@@ -68,8 +69,7 @@ def import_net(
     Raises:
         InputError: the file does not hold a usable quad mesh, or another word for the origin.
     """
-    if origin not in ("keep", "local"):
-        raise InputError(f"origin: expected keep or local, got {origin!r}")
+    one_of("origin", origin, ("keep", "local"))
     read = read_mesh(path, unit, up, mixed=True)
     if (read.mesh.connectivity.face_sizes == 3).all():
         # Refused with what to do: hardly ever are they meant as they are.

@@ -8,8 +8,9 @@ import FreeCAD
 
 from freecad_ortho.documents.common import open_document
 from solver.errors import InputError
+from solver.option import Range, whole_number
 
-_LARGEST = 16384
+_PIXELS = Range(1, 16384)
 
 
 def save_picture(
@@ -38,10 +39,8 @@ def save_picture(
             "picture: FreeCAD runs without a window; run the script with 'freecad' "
             "(under xvfb-run on a machine without a screen), not with 'freecadcmd'"
         )
-    if min(width, height) < 1 or max(width, height) > _LARGEST:
-        raise InputError(
-            f"picture: expected 1 to {_LARGEST} pixels each way, got {width} x {height}"
-        )
+    for name, pixels in (("width", width), ("height", height)):
+        whole_number(name, pixels, _PIXELS)
     from freecad_ortho.view import picture
 
     picture.save(os.fspath(path), open_document(document), width, height, background, turn)

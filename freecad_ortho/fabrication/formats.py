@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from importlib.util import find_spec
 
-from solver.errors import InputError
+from solver.option import one_of
 
 
 @dataclass(frozen=True)
@@ -95,6 +95,5 @@ def formats_of(words: str) -> tuple[Format, ...]:
     """
     names = [word.strip().lower() for word in words.split(",") if word.strip()]
     for name in names:
-        if name not in FORMATS:
-            raise InputError(f"write: expected some of {','.join(FORMATS)}, got '{name[:40]}'")
+        one_of("write", name, FORMATS)
     return tuple(each for name, each in FORMATS.items() if name in names)

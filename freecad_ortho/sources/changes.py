@@ -15,7 +15,7 @@ from solver.mesh import coarsen, diagonal, mirror, subdivide, transform
 from solver.mesh.dual import christoffel_dual
 from solver.mesh.quadmesh import QuadMesh
 from solver.offset.offset_mesh import KINDS, offset_mesh
-from solver.option import POSITIVE, Former, Option
+from solver.option import NOT_ZERO, POSITIVE, Former, Option
 
 # Edges of a dual that miss by this part of the mean one are rounding.
 _DUAL = 1e-7
@@ -109,7 +109,8 @@ CHANGES = (
         "A parallel net at a distance that is constant where the net allows it",
         (
             Option("distance", 200.0, "distance",
-                   "The offset lies this far along the normals, below where it is negative"),
+                   "The offset lies this far along the normals, below where it is negative",
+                   within=NOT_ZERO),
             Option("kind", "parallel", "choice",
                    "Vertices, edges or faces keep the distance, or edges stay parallel",
                    tuple(KINDS)),

@@ -9,7 +9,7 @@ from typing import Any
 from freecad_ortho.sources.placing import PLACEMENT, Placing, placed
 from freecad_ortho.sources.source import Made, Source
 from solver.mesh.primitives import PRIMITIVES, Parameter, primitive
-from solver.option import Former, Kind, Option
+from solver.option import Former, Kind, Option, Range
 
 _METRE = 1000.0
 _LENGTHS = {
@@ -84,6 +84,7 @@ def sampling(u: int, v: int) -> Option:
         "count",
         "So many vertices stand along u and along v",
         suffixes=("U", "V"),
+        within=Range(2),
     )
 
 

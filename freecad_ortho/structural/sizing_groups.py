@@ -11,7 +11,7 @@ from freecad_ortho.structural.bending import strain_energies
 from freecad_ortho.structural.check import STATIONS, Progress, StructuralCheck
 from freecad_ortho.structural.groups import written
 from freecad_ortho.structural.sizing import MOST, Sizing, Try, tried
-from solver.errors import InputError
+from solver.option import one_of
 
 ALL, FAMILIES, BANDS = "all", "families", "bands"
 GROUPINGS = (ALL, FAMILIES, BANDS)
@@ -139,5 +139,4 @@ def refuse_unknown_grouping(word: str) -> None:
     Raises:
         InputError: naming those that there are.
     """
-    if word not in GROUPINGS:
-        raise InputError(f"groups: expected {', '.join(GROUPINGS)}, got '{word[:40]}'")
+    one_of("groups", word, GROUPINGS)

@@ -14,10 +14,9 @@ from typing import NamedTuple
 import numpy as np
 from scipy.spatial import cKDTree
 
-from solver.errors import InputError
 from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
-from solver.option import number_within
+from solver.option import number_within, one_of
 
 PANELS, EDGES, NODES = "panels", "edges", "nodes"
 REPEATED = (PANELS, EDGES, NODES)
@@ -110,8 +109,7 @@ def refuse_unknown_parts(of: str) -> None:
     Raises:
         InputError: another word than panels, edges and nodes.
     """
-    if of not in REPEATED:
-        raise InputError(f"repeat: expected {', '.join(REPEATED)}, got '{of}'")
+    one_of("repeat", of, REPEATED)
 
 
 def makes(mesh: QuadMesh, of: str) -> list[Alike]:

@@ -10,6 +10,9 @@ from solver.errors import InputError
 from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 
+# More of them take more memory than there mostly is.
+MOST_VERTICES = 10_000_000
+
 
 @dataclass(frozen=True, eq=False)
 class Grid:
@@ -43,17 +46,33 @@ class Grid:
         return self.numbers.ravel()[grid_faces(m, n, self.closed_u, self.closed_v)]
 
 
+def refuse_sampling(m: int, n: int, closed_u: bool = False, closed_v: bool = False) -> None:
+    """Refuse numbers of vertices along u and v that make no grid, or one that nobody can hold.
+
+    Raises:
+        InputError: fewer than two lines in a direction (three where it is closed), or more than ten
+            million vertices.
+    """
+    least = 2 + closed_u, 2 + closed_v
+    whole = all(isinstance(count, (int, np.integer)) for count in (m, n))
+    if not whole or m < least[0] or n < least[1]:
+        raise InputError(
+            f"sampling: expected at least {least[0]} x {least[1]} vertices, got {m} x {n}; "
+            "take more samples"
+        )
+    if m * n > MOST_VERTICES:
+        raise InputError(
+            f"sampling: {m} x {n} are more than {MOST_VERTICES:,} vertices; take fewer"
+        )
+
+
 def grid_faces(m: int, n: int, closed_u: bool = False, closed_v: bool = False) -> IntArray:
     """(F, 4) faces of an M x N grid, side 0 along u, side 1 along v.
 
     Raises:
-        InputError: fewer than two lines in a direction (three where it is closed).
+        InputError: as :func:`refuse_sampling`.
     """
-    if m < 2 + closed_u or n < 2 + closed_v:
-        raise InputError(
-            f"sampling: expected at least {2 + closed_u} x {2 + closed_v} vertices, got {m} x {n}; "
-            "take more samples"
-        )
+    refuse_sampling(m, n, closed_u, closed_v)
     number = np.arange(m * n, dtype=np.int64).reshape(m, n)
     if closed_u:
         number = np.concatenate([number, number[:1]], axis=0)

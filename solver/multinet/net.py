@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from solver.errors import InputError
-from solver.mesh.grid import grid_mesh
+from solver.mesh.grid import grid_mesh, refuse_sampling
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.multinet.quadric import Quadric
 from solver.option import Option
@@ -114,10 +114,7 @@ class MultiNet:
         """(M,) and (N,) parameters of :meth:`sampled`."""
         first, last = self._range(t_range)
         SPACING.check(spacing)
-        if m < 2 + self.closed or n < 2:
-            raise InputError(
-                f"sampling: expected at least {2 + self.closed} x 2, got {m} x {n}; take more"
-            )
+        refuse_sampling(m, n, closed_u=self.closed)
         count = m + self.closed
         if spacing == "parameter":
             s, t = np.linspace(0, 1, count), np.linspace(first, last, n)

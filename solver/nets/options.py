@@ -232,11 +232,6 @@ class NetOptions:
     )
 
     def __post_init__(self) -> None:
-        if self.flatness == 0:
-            raise InputError(
-                "flatness: expected a positive length, got 0; leave it out for faces that are flat "
-                "to the last digit"
-            )
         for option in OPTIONS.values():
             option.check(getattr(self, option.name), "")
 

@@ -33,7 +33,7 @@ from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray, QuadMesh, refuse_other, unit_rows
 from solver.offset.axes import torsion_free_axes
 from solver.offset.parallelism import apply, edge_weights, factorised, projections
-from solver.option import one_of
+from solver.option import NOT_ZERO, number_within, one_of
 
 # What is held constant, and the net that allows it.
 KINDS = {
@@ -124,8 +124,7 @@ def offset_mesh(mesh: QuadMesh, distance: float, kind: str = "parallel") -> Offs
     """
     refuse_other(mesh)
     one_of("kind", kind, KINDS)
-    if isinstance(distance, bool) or not np.isfinite(distance) or distance == 0:
-        raise InputError(f"distance: expected a finite number other than 0, got {distance}")
+    number_within("distance", distance, NOT_ZERO)
     start, end = mesh.connectivity.edges.T
     edge = mesh.vertices[end] - mesh.vertices[start]
     _refuse_empty_edges(mesh)

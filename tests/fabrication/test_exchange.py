@@ -63,7 +63,7 @@ def test_every_format_has_its_writer():
 
 def test_names_are_checked():
     assert [each.name for each in formats_of(" XLSX, ifc,ifc")] == ["ifc", "xlsx"]
-    with pytest.raises(InputError, match=r"write: expected some of ifc,.*, got 'dwg'"):
+    with pytest.raises(InputError, match=r"write: expected ifc, .* or drawings, got 'dwg'"):
         Workshop(write="ifc,dwg")
 
 

@@ -341,7 +341,7 @@ def test_files_of_the_sheets(roof, tmp_path):
         ({"sheet": "0x100"}, "sheet: expected a number above 0 mm"),
         ({"stock": -1.0}, "stock: expected a number above 0"),
         ({"spacing": -1.0}, "spacing: expected 0 mm or more"),
-        ({"kerf": math.nan}, "kerf: expected a number, got nan"),
+        ({"kerf": math.nan}, "kerf: expected a finite number, got nan"),
         ({"grain": "across"}, "grain: expected none or along"),
         ({"colour": "red"}, "colour: the workshop has no such size; it has sheet, spacing"),
         ({"nesting": "tight"}, "nesting: expected boxes or outlines"),

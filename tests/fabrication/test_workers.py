@@ -44,7 +44,7 @@ def test_bad_numbers_of_workers(workers):
     words = f"workers: expected a whole number, 1 to 256, got {workers}"
     with pytest.raises(InputError, match=words), local_pool(workers):
         pass
-    with pytest.raises(InputError, match="workers: expected a number, got 'many'"):
+    with pytest.raises(InputError, match="workers: expected a finite number, got 'many'"):
         local_pool("many").__enter__()
 
 

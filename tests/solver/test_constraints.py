@@ -206,7 +206,7 @@ def test_a_mesh_without_stars_cannot_carry_star_nets(net):
     ("options", "words"),
     [
         ({"radius": -2.0}, "radius: expected a number above 0, got -2"),
-        ({"length": float("nan")}, "length: expected a number, got nan"),
+        ({"length": float("nan")}, "length: expected a finite number, got nan"),
         ({"angle": 180.0}, "angle: expected a number between 0 and 180 degrees, got 180"),
     ],
 )

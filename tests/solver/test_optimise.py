@@ -180,7 +180,7 @@ def test_everything_fixed_moves_nothing():
         ({"fix": "edges"}, "fix: expected none, corners, boundary"),
         ({"fix": "0,99"}, "fix: vertex 99 does not exist"),
         ({"fairness": -1.0}, "fairness: expected 0 or more, got -1.0"),
-        ({"closeness": float("nan")}, "closeness: expected a number, got nan"),
+        ({"closeness": float("nan")}, "closeness: expected a finite number, got nan"),
         ({"tolerance": 0.0}, "tolerance: expected a number above 0, got 0.0"),
         ({"max_steps": 0}, "max steps: expected a whole number, 1 or more"),
         ({"backend": "abacus"}, "sparse solver: expected "),

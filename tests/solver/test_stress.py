@@ -139,7 +139,7 @@ def test_forces_scale_with_the_load_and_the_unit():
         ((), {}, "component 0 has 0 supported vertices"),
         ([0, 1], {}, "component 0 has 2 supported vertices"),
         (range(33), {}, "every vertex is supported"),
-        ("boundary", {"load": float("nan")}, "load: expected a number"),
+        ("boundary", {"load": float("nan")}, "load: expected a finite number"),
         ("boundary", {"load": -1.0}, "sum to more than zero"),
         ("boundary", {"forces": "magic"}, "forces: expected free, compression or tension"),
     ],

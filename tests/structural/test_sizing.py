@@ -101,7 +101,7 @@ def test_bands_gather_members_by_how_far_they_are_used(dome):
 
 
 def test_groups_that_there_are_not_are_refused(dome):
-    with pytest.raises(InputError, match="groups: expected all, families, bands, got 'rows'"):
+    with pytest.raises(InputError, match="groups: expected all, families or bands, got 'rows'"):
         api.size_structure(dome, "tubes", groups="rows", **SETTINGS)
     for section, said in (
         (

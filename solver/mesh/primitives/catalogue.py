@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solver.errors import InputError
+from solver.mesh.grid import refuse_sampling
 from solver.mesh.intake import refuse_empty_faces
 from solver.mesh.primitives.developable import cone, cylinder, tangent_developable
 from solver.mesh.primitives.limits import positive
@@ -145,10 +146,7 @@ def primitive(name: str, m: int, n: int, **parameters: Value) -> QuadMesh:
             than it needs.
     """
     one_of("primitive", name, PRIMITIVES)
-    if not all(isinstance(count, (int, np.integer)) and count >= 2 for count in (m, n)):
-        raise InputError(
-            f"sampling: expected at least 2 x 2 vertices, got {m} x {n}; take more samples"
-        )
+    refuse_sampling(m, n)
     entry = PRIMITIVES[name]
     known = {parameter.name: parameter for parameter in entry.parameters}
     for key, value in parameters.items():

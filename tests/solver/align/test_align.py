@@ -332,7 +332,7 @@ def test_noise_is_smoothed_and_said():
         (dict(edge=90.0), "leaves room for"),
         (dict(edge=0.01), r"faces, 100,000 at most; 0\.\d+ would give about a thousand"),
         (dict(edge=-1.0), "edge: expected a number above 0"),
-        (dict(edge=float("nan")), "edge: expected a number, got nan"),
+        (dict(edge=float("nan")), "edge: expected a finite number, got nan"),
         (dict(edge=1.0, ratio=0.0), "ratio"),
         (dict(edge=1.0, border="cut"), "border: expected trim or follow"),
         (dict(edge=1.0, net="cubic"), "net: expected principal, developable"),

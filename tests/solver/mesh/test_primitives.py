@@ -194,7 +194,7 @@ def test_every_primitive_has_words_defaults_and_good_faces(name):
         ("ellipsoid", {"semi_axes": (2.0, 2.0, 1.0)}, "different"),
         ("unduloid", {"narrowest": 3.0}, "exchange"),
         ("tangent-developable", {"spine": [[0, 0, 0]]}, "expected 10 points"),
-        ("cone", {"height": float("nan")}, "height: expected a number, got nan"),
+        ("cone", {"height": float("nan")}, "height: expected a finite number, got nan"),
     ],
 )
 def test_bad_parameters_get_one_line(name, parameters, words):

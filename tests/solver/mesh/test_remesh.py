@@ -262,7 +262,7 @@ def test_command_reads_triangles_of_other_programs(library, tmp_path, capsys):
         (lambda p, t: (p, t), {"faces": 2}, "4 to 200,000"),
         (lambda p, t: (p, t), {"edge": -1.0}, "edge"),
         (lambda p, t: (p, t), {"faces": 9, "time_limit": 0}, "time limit"),
-        (lambda p, t: (p, t), {"faces": 9, "time_limit": float("inf")}, "limit: expected a number"),
+        (lambda p, t: (p, t), {"faces": 9, "time_limit": float("inf")}, "limit: expected a finite"),
         (lambda p, t: (p, t), {"faces": 9, "time_limit": 4000}, "3,600 at most, got 4000"),
         (lambda p, t: (p, t), {"faces": 9.5}, "faces: expected a whole number, 4 to 200,000, got"),
         (lambda p, t: (p, t), {"edge": 1e-200}, "edge: expected a length .* 4 to 200,000 quads"),
