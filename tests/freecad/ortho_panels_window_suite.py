@@ -129,6 +129,15 @@ class TestSettings(WindowCase):
                     self.assertEqual(new, old)
         self.assertEqual((self.document.UndoCount, self.lines, self.errors), (steps, [], []))
 
+    def test_the_menu_of_the_tree_opens_them_too(self):
+        view, menu = api.add_structure(self.net, "louvres").ViewObject, QtGui.QMenu()
+        view.Proxy.setupContextMenu(view, menu)
+        (entry,) = menu.actions()
+        self.assertEqual(entry.text(), "Edit settings")
+        entry.trigger()
+        wait()
+        self.assertEqual(self.panel._system, "louvres")
+
     def test_three_buttons_are_no_wider_than_the_panel(self):
         self.addCleanup(FreeCADGui.setLocale, "English")
         beams = api.add_structure(self.net, "beams")

@@ -174,7 +174,7 @@ def test_answers_do_not_depend_on_the_company():
 
 
 def test_all_triangles_equally_near_fits_into_memory(monkeypatch):
-    monkeypatch.setattr("solver.mesh.closest._PAIRS", 2_000)
+    monkeypatch.setattr("solver.mesh.box_tree._PAIRS", 2_000)
     polar, turn = np.meshgrid(np.linspace(0.1, 3.0, 40), np.linspace(0, 6.2, 40), indexing="ij")
     points = np.stack(
         [np.sin(polar) * np.cos(turn), np.sin(polar) * np.sin(turn), np.cos(polar)], axis=2
