@@ -160,7 +160,7 @@ class Production:
             return []
         return [
             f"step: {count:,} parts in one assembly take FreeCAD long to open; "
-            "for it take step in-place, and turn on Use LinkGroup in its preferences for STEP"
+            "for it take step in-place, and tick Use LinkGroup when it asks how to import the file"
         ]
 
     def _about_stock(self) -> list[str]:

@@ -8,12 +8,13 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from freecad_ortho.fabrication import Beams, Panels, Workshop, build, write
+from freecad_ortho.fabrication import Beams, Lamellas, Panels, Workshop, build, write
 from freecad_ortho.fabrication.exchange.assembly import ranks_by_ring, rings_of, sequence
 from freecad_ortho.fabrication.exchange.assembly_page import pictures_of
 from freecad_ortho.fabrication.step import read_step
 from freecad_ortho.fabrication.systems.nodes import Nodes
 from solver.errors import InputError
+from tests.fabrication.test_lamellas import flat_grid
 
 # Coordinates of a national grid, mm.
 FAR = np.array([3.5e9, 5.4e9, 4e5])
@@ -86,6 +87,24 @@ def test_plates_go_up_with_the_beam_that_they_end(roof):
     for plate in (part.name for part in parts if part.kind == "end-plate"):
         beam = order.index(plate.split("-")[0])
         assert 1 <= order.index(plate) - beam <= 4
+
+
+def test_splices_come_after_both_pieces_that_they_join(tmp_path):
+    """They have no vertex of the net; on paper they stood first, on nothing."""
+    made = build(flat_grid(5, 5), [Lamellas(width=60, thickness=4, stock=1000)])
+    write(made, tmp_path, workshop=Workshop(write="assembly"))
+    splices = [part.name for part in made.parts if part.kind == "splice"]
+    assert len(splices) > 5
+    for name in ("sequence-by-ring", "sequence-by-line"):
+        rows = rows_of(tmp_path, name)
+        assert sorted(row["name"] for row in rows) == sorted(part.name for part in made.parts)
+        before = {row["name"]: {other["name"] for other in rows[:k]} for k, row in enumerate(rows)}
+        for row in rows:
+            held = set(row["stands_on"].split())
+            assert held <= before[row["name"]]
+            if row["name"] in splices:
+                line, _, number = row["name"].removeprefix("S-").partition("-")
+                assert held == {f"L-{line}-{int(number) + k}" for k in (0, 1)}
 
 
 def test_feet_are_what_a_structure_stands_on(roof):

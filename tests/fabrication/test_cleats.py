@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 
 from freecad_ortho.fabrication import build
+from freecad_ortho.fabrication.bezier import blend
 from freecad_ortho.fabrication.clash import check_clashes
 from freecad_ortho.fabrication.cleat import corner_of
+from freecad_ortho.fabrication.exchange.ifc_facts import class_of
 from freecad_ortho.fabrication.limits import OK
 from freecad_ortho.fabrication.material import MATERIALS
 from freecad_ortho.fabrication.systems import Feet, Lamellas
@@ -87,6 +89,26 @@ def test_patterns_of_cleats_fold_back_onto_their_bolts(standing):
         assert np.abs(np.array(places) - np.array(wanted)).max() < 1e-6
 
 
+def test_twisted_plates_stay_between_leg_and_fin(net):
+    """Also below the leg, where the fin goes on, and where edges are not square to the corner."""
+    made = build(net, [Lamellas(80.0, 12.0, cleats=True, strip="twisted")])
+    shares, lamellas = np.linspace(0.0, 1.0, 401), {part.name: part for part in made.parts}
+    for cleat in made.results["lamellas"].geometry.cleats.values():
+        for leg in cleat.legs:
+            part = lamellas[leg.part]
+            sheets = part.body.whole.sheets
+            rails = [rail for each in sheets if each.rails is not None for rail in each.rails]
+            edges = np.concatenate([blend(len(rail), shares) @ rail for rail in rails])
+            arms = part.origin + edges @ part.frame - made.site.shift - cleat.corner
+            along = arms @ leg.way
+            beside = (along > 0) & (along < cleat.sizes.reach) & (np.abs(arms @ cleat.up) < 80.0)
+            off = arms[beside] @ leg.out
+            assert len(off) > 10
+            assert -(cleat.sizes.plate + 2 * leg.gap) - 1e-6 < off.min() < off.max() < 1e-6
+            # No further off than it takes.
+            assert off.max() > -2 * leg.gap - 1e-6
+
+
 def test_bolts_go_through_fin_lamella_and_leg(standing):
     drilled = {}
     for part in standing.parts:
@@ -113,6 +135,13 @@ def test_bolts_go_through_fin_lamella_and_leg(standing):
     joined = {names[0] for each in standing.fasteners for names in each.joins if len(names) == 3}
     assert joined == set(fins)
     assert len(fins) == 8
+
+
+def test_each_kind_has_a_class_of_ifc(standing):
+    found = {part.kind: class_of(part)[:2] for part in standing.parts}
+    assert found["cleat"] == ("IfcDiscreteAccessory", "BRACKET")
+    assert found["fin"] == ("IfcPlate", "SHEET")
+    assert "IfcBuildingElementProxy" not in {name for name, _ in found.values()}
 
 
 def test_fins_stand_on_their_caps(standing):

@@ -3,14 +3,14 @@
 Parts are put up ring by ring from the feet or the border on, or line by line: each stands there or
 on what stands already. What neither reaches begins at its lowest vertex. Nodes come before the
 beams that are bolted to them, panels when the beams around them stand, what holds panels after
-these.
+these, splices after what they join.
 """
 
 from __future__ import annotations
 
 import heapq
 from collections import Counter, defaultdict
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -18,6 +18,7 @@ import numpy as np
 
 from freecad_ortho.fabrication.exchange.assembly_page import NodeArm, assembly_page
 from freecad_ortho.fabrication.exchange.facets import facets
+from freecad_ortho.fabrication.fasteners import Fasteners
 from freecad_ortho.fabrication.part import Part, part_names
 from freecad_ortho.fabrication.production import Production
 from freecad_ortho.fabrication.site import Site
@@ -54,7 +55,7 @@ class AssemblyStep:
 
     Attributes:
         part: which.
-        held: names of the parts that stand already and meet it at a vertex.
+        held: names of the parts that stand already and meet it at a vertex, or that it joins.
     """
 
     part: Part
@@ -79,12 +80,13 @@ def write_assembly(
     structure = production.structure
     parts = structure.parts
     rings = rings_of(structure.site, parts)
+    joined = bolted_to(structure.fasteners)
     centres = _centres(structure.parts, lambda done: say(0.8 * done))
     for name, ranks in (
         ("by-ring", ranks_by_ring(structure.parts, rings)),
         ("by-line", ranks_by_line(structure.parts, structure.site, rings)),
     ):
-        steps = sequence(parts, ranks, rings)
+        steps = sequence(parts, ranks, rings, joined)
         if name == "by-ring":
             (path / "assembly.html").write_text(
                 _page(steps, production, rings, project), encoding="utf-8"
@@ -156,8 +158,21 @@ def ranks_by_line(parts: Sequence[Part], site: Site, rings: Sequence[int]) -> li
     return found
 
 
+def bolted_to(fasteners: Sequence[Fasteners]) -> dict[str, set[str]]:
+    """Names of the parts that share a bolt with each part."""
+    found: dict[str, set[str]] = defaultdict(set)
+    for each in fasteners:
+        for names in each.joins:
+            for name in names:
+                found[name].update(other for other in names if other != name)
+    return found
+
+
 def sequence(
-    parts: Sequence[Part], ranks: Sequence[Rank], rings: Sequence[int]
+    parts: Sequence[Part],
+    ranks: Sequence[Rank],
+    rings: Sequence[int],
+    joined: Mapping[str, Collection[str]] | None = None,
 ) -> list[AssemblyStep]:
     """The parts in the order of their ranks, but none before it stands on something.
 
@@ -165,6 +180,8 @@ def sequence(
         parts: all that are put up.
         ranks: one a part, its number last.
         rings: of the vertices.
+        joined: names of the parts that those without a vertex, as splices, are bolted to: they come
+            when all of these stand.
     """
     touching: dict[int, list[int]] = defaultdict(list)
     for number, part in enumerate(parts):
@@ -173,6 +190,9 @@ def sequence(
     below = [_carriers(number, parts, touching) for number in range(len(parts))]
     for number, owner in enumerate(_owners(parts)):
         below[number] |= {owner} - {number}
+    holders = _joined(parts, joined or {})
+    for number, others in holders.items():
+        below[number] |= others
     carried: dict[int, list[int]] = defaultdict(list)
     for number, carriers in enumerate(below):
         for other in carriers:
@@ -195,15 +215,28 @@ def sequence(
         if number not in waiting or below[number]:
             continue
         beside = {k for vertex in parts[number].vertices for k in touching[vertex]}
-        held = tuple(parts[k].name for k in sorted(beside & standing))
+        near = (beside | holders.get(number, set())) & standing
+        held = tuple(parts[k].name for k in sorted(near))
         steps.append(AssemblyStep(parts[number], held))
         waiting.discard(number)
         standing.add(number)
         for other in carried[number]:
             below[other].discard(number)
+            if other in holders and not below[other]:
+                heapq.heappush(ready, ranks[other])
         for other in beside & waiting:
             heapq.heappush(ready, ranks[other])
     return steps
+
+
+def _joined(parts: Sequence[Part], joined: Mapping[str, Collection[str]]) -> dict[int, set[int]]:
+    """For parts without a vertex, the numbers of those with one that they are bolted to."""
+    numbers = {part.name: number for number, part in enumerate(parts) if part.vertices}
+    return {
+        number: {numbers[name] for name in joined.get(part.name, ()) if name in numbers}
+        for number, part in enumerate(parts)
+        if not part.vertices
+    }
 
 
 def _trade(part: Part) -> int:
@@ -303,7 +336,11 @@ def _page(
 ) -> str:
     """Pictures of the steps ring by ring, and the node book."""
     order = [step.part for step in steps]
-    stages = [max((rings[vertex] for vertex in part.vertices), default=0) for part in order]
+    stages: list[int] = []
+    for part in order:
+        # What has no vertex, as a splice, is in the picture of what it joined last.
+        last = stages[-1] if stages else 0
+        stages.append(max((rings[vertex] for vertex in part.vertices), default=last))
     book: dict[str, list[NodeArm]] = defaultdict(list)
     turn: dict[str, float] = defaultdict(float)
     for row in _book(production, rings):

@@ -29,6 +29,8 @@ _CLASSES = {
     "adapter": ("IfcMember", "MEMBER", "Qto_MemberBaseQuantities"),
     "foot": ("IfcMember", "POST", "Qto_MemberBaseQuantities"),
     "foot-plate": ("IfcPlate", "SHEET", "Qto_PlateBaseQuantities"),
+    "fin": ("IfcPlate", "SHEET", "Qto_PlateBaseQuantities"),
+    "cleat": ("IfcDiscreteAccessory", "BRACKET", ""),
     "node": ("IfcDiscreteAccessory", "NOTDEFINED", ""),
     "cone": ("IfcDiscreteAccessory", "NOTDEFINED", ""),
     "sleeve": ("IfcDiscreteAccessory", "NOTDEFINED", ""),

@@ -24,6 +24,8 @@ _ROOM = 3.0
 _WAYS = 3
 # Most that one leg may lean to another, as the cosine of their angle.
 _FLAT = 0.94
+# Rounds in which the places of the legs and their distances from twisted plates come to agree.
+_ROUNDS = 4
 
 
 @dataclass(frozen=True, eq=False)
@@ -198,29 +200,53 @@ def _cleat(
     if abs(cosine) > _FLAT:
         return None
     sizes = sizes_of(settings, math.acos(cosine), spread=spread)
-    points, outs, gaps = [], [], []
+    seen, outs = [], []
     for arm, other in (pair, pair[::-1]):
-        strip, face = arm.lamella.ribbon.strip, arm.face
-        length = float(strip.lengths[face])
+        length = float(arm.lamella.ribbon.strip.lengths[arm.face])
         point, normal = arm.at(min(sizes.reach / 2, length / 2))
-        out = np.copysign(1.0, float(normal @ other.way)) * normal
-        turn = abs(float(strip.twists[face])) / length * sizes.reach / 2
-        gap = settings.width / 2 * math.sin(turn)
-        points.append(point + (settings.thickness / 2 + gap) * out)
-        outs.append(out)
-        gaps.append(gap)
+        seen.append(point)
+        outs.append(np.copysign(1.0, float(normal @ other.way)) * normal)
     vertex_point = pair[0].lamella.ribbon.strip.points[pair[0].station]
-    corner, up = corner_of((points[0], points[1]), (outs[0], outs[1]), vertex_point)
-    legs = []
-    for arm, out, gap in zip(pair, outs, gaps, strict=True):
-        way = np.cross(up, out)
-        way = np.copysign(1.0, float(way @ arm.way)) * way
-        legs.append(Leg(arm.lamella.name, way, out, gap))
+    # How far twisted plates leave their planes depends on where the legs are, and these on that.
+    legs = [Leg(arm.lamella.name, arm.way, out, 0.0) for arm, out in zip(pair, outs, strict=True)]
+    for _ in range(_ROUNDS):
+        lifts = [settings.thickness / 2 + leg.gap for leg in legs]
+        points = [point + lift * out for point, lift, out in zip(seen, lifts, outs, strict=True)]
+        corner, up = corner_of((points[0], points[1]), (outs[0], outs[1]), vertex_point)
+        for k, (arm, point, out) in enumerate(zip(pair, seen, outs, strict=True)):
+            way = np.cross(up, out)
+            way = np.copysign(1.0, float(way @ arm.way)) * way
+            ends = np.array([corner, corner + sizes.reach * way])
+            legs[k] = replace(legs[k], way=way, gap=_gap(arm, point, out, ends, up))
     # The first leg, the way into the corner and the line turn like x, y and z.
     if float(np.cross(legs[0].way, legs[0].out) @ up) < 0:
         up = -up
     made = Cleat(name, vertex, corner, up, (legs[0], legs[1]), sizes)
     return replace(made, corner=corner - _off_middle(pair, made) * up)
+
+
+def _gap(arm: Arm, point: FloatArray, out: FloatArray, ends: FloatArray, up: FloatArray) -> float:
+    """Most that a twisted plate leaves the plane at a point of its axis beside a leg, mm.
+
+    Args:
+        arm: of the plate.
+        point: (3,) of the axis.
+        out: (3,) unit normal of the plate there.
+        ends: (2, 3) of the leg, on a line square to ``up``.
+        up: (3,) unit vector along the corner.
+    """
+    ribbon, face = arm.lamella.ribbon, arm.face
+    along = ribbon.strip.along[face]
+    across = np.cross(out, along)
+    across = np.copysign(1.0, float(across @ ribbon.strip.across[0][face])) * across
+    most = 0.0
+    for level in (ribbon.lower, ribbon.upper):
+        # Where the edge is not square to the corner, its sides are further on than its middle.
+        steps = (level - (ends - point) @ across) / float(across @ up)
+        places = (ends + steps[:, None] * up - point) @ along
+        turns = ribbon.strip.twists[face] / ribbon.strip.lengths[face] * places
+        most = max(most, float(np.abs(level * np.sin(turns)).max()))
+    return most
 
 
 def _off_middle(pair: tuple[Arm, Arm], cleat: Cleat) -> float:
