@@ -1,6 +1,8 @@
 """Drawings for the office, read back by a library that did not write them."""
 
 import re
+from ctypes import c_uint
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
@@ -10,7 +12,7 @@ from freecad_ortho.fabrication import Beams, Lamellas, Panels, Workshop, build
 from freecad_ortho.fabrication.drawing_form import PAPERS, SCALES, scale_for
 from freecad_ortho.fabrication.exchange.drawings import write_drawings
 from freecad_ortho.fabrication.exchange.drawings.node_detail import typical_node
-from freecad_ortho.fabrication.exchange.drawings.part_detail import typical_parts
+from freecad_ortho.fabrication.exchange.drawings.part_detail import _VIEWS, typical_parts
 from freecad_ortho.fabrication.exchange.drawings.pen import Pen
 from freecad_ortho.fabrication.exchange.outlines import seen_lines
 from freecad_ortho.fabrication.formats import FORMATS
@@ -40,6 +42,20 @@ class Drawn(Pen):
 
     def text(self, *_, **__):
         pass
+
+
+def test_a_line_goes_through_all_of_its_points():
+    canvas = Mock()
+    Pen(canvas).lines([np.array([[0.0, 0.0], [10.0, 0.0], [10.0, 5.0]]) / POINTS])
+    path = canvas.beginPath.return_value
+    points = [one.args for one in (*path.moveTo.mock_calls, *path.lineTo.mock_calls)]
+    np.testing.assert_allclose(points, [(0.0, 0.0), (10.0, 0.0), (10.0, 5.0)])
+
+
+def test_views_of_parts_turn_them_and_mirror_none():
+    for words, rows in _VIEWS.items():
+        np.testing.assert_allclose(rows @ rows.T, np.eye(3), err_msg=words)
+        assert np.linalg.det(rows) == pytest.approx(1.0), words
 
 
 @pytest.mark.parametrize("turn", [90.0, -90.0])
@@ -89,6 +105,29 @@ def place_of(text, words):
     assert found is not None, words
     box = text.get_charbox(found[0])
     return np.array(box[:2]) / POINTS
+
+
+def outlines_on(page):
+    """How many parts are seen on a page: what is filled in their light grey."""
+    import pypdfium2.raw
+
+    count = 0
+    for each in page.get_objects(filter=[pypdfium2.raw.FPDF_PAGEOBJ_PATH]):
+        colour = [c_uint() for _ in range(4)]
+        pypdfium2.raw.FPDFPageObj_GetFillColor(each.raw, *colour)
+        count += [one.value for one in colour[:3]] == [245] * 3
+    return count
+
+
+def test_all_that_is_written_stands_on_the_page_and_fields_below_each_other(framed):
+    for number, (page, text, _) in framed[1].items():
+        boxes = np.array([text.get_charbox(k) for k in range(text.count_chars())]) / POINTS
+        assert (boxes.reshape(-1, 2).min(axis=0) >= 0.0).all(), number
+        size = np.array([page.get_width(), page.get_height()]) / POINTS
+        assert (boxes.reshape(-1, 2).max(axis=0) <= size).all(), number
+        fields = ("project", 'Dach "ü"', "title", "scale", "1:")
+        heights = [place_of(text, words)[1] for words in fields]
+        assert heights == sorted(heights, reverse=True), number
 
 
 def test_pages_have_their_paper_and_number(framed):
@@ -175,6 +214,8 @@ def test_numbers_that_have_no_room_go_on_in_pieces(tmp_path):
     job = build(net, [Beams(100, 10)], selection=Selection("u", (0, 20, 39)))
     production, pages = drawn(job, tmp_path / "b.pdf", paper="a4")
     pieces = [words for number, (_, _, words) in pages.items() if number.startswith("PLAN-")]
+    for number, (page, _, _) in pages.items():
+        assert outlines_on(page) or not number.startswith("PLAN"), number
     assert f"PLAN-1 to PLAN-{len(pieces)}" in pages["PLAN"][2]
     found = sorted(name for words in pieces for name in re.findall(r"N\d{4}", words))
     assert found == sorted(node.name for node in production.nodes)
