@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from solver.align.align import _crossing
 from solver.align.apron import extended
-from solver.align.cells import quads
+from solver.align.cells import Quads, quads
 from solver.align.cut import cut_open
 from solver.align.features import Features
 from solver.align.field import DirectionField, curvature_guide, smooth_field, turns
@@ -224,3 +225,21 @@ def test_a_surface_reaches_as_far_as_what_overhangs_it():
     more, _ = beyond(within, points, faces)
     assert np.abs(more[:, 2]).max() < 1e-9
     assert (np.ptp(more, axis=0)[:2] > [12 + 2 * 1.5, 8 + 2 * 1.5]).all()
+
+
+@pytest.mark.parametrize(
+    ("faces", "wrong"),
+    [
+        ([[0, 1, 2, 3], [1, 4, 5, 2]], None),
+        # Two faces on one side of a side; corners that are one; a side without a length.
+        ([[0, 1, 2, 3], [0, 1, 4, 5]], 0),
+        ([[3, 1, 3, 2]], 3),
+        ([[0, 1, 2, 1]], 1),
+        ([[0, 4, 4, 2]], 4),
+    ],
+)
+def test_faces_of_a_map_that_overlap_are_found(faces, wrong):
+    places = np.arange(18.0).reshape(6, 3)
+    none = np.zeros(6, dtype=int)
+    found = _crossing(Quads(np.array(faces), places, none > 0, none, np.zeros((6, 2), int), 0))
+    assert (found is None) if wrong is None else np.array_equal(found, places[wrong])
