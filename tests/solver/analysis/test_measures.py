@@ -76,6 +76,15 @@ def test_helicoid_grid_is_asymptotic():
     assert measures.asymptotic(wavy_grid(9, 9)).max() > 1e-2
 
 
+def test_a_star_of_a_saddle_is_off_its_plane_by_its_height():
+    x, y = 2.0 * np.mgrid[-1:2, -1:2]
+    saddle = QuadMesh(
+        np.stack([x, y, 0.3 * (x**2 - y**2) / 4], axis=2).reshape(-1, 3), grid_faces(3, 3)
+    )
+    assert saddle.mean_edge == pytest.approx(np.hypot(2, 0.3), rel=1e-14)
+    assert measures.asymptotic(saddle) == pytest.approx(0.3 / np.hypot(2, 0.3), rel=1e-12)
+
+
 @pytest.mark.parametrize("radius", [0.3, 40.0])
 def test_sphere_has_its_radius(radius):
     mesh = sphere_patch(radius)
