@@ -9,7 +9,15 @@ import pytest
 
 from freecad_ortho import api
 from freecad_ortho.fabrication import build
-from freecad_ortho.fabrication.bolts import BOLTS, SMALL, WASHERS, bolt_in, bolt_of, on_wood
+from freecad_ortho.fabrication.bolts import (
+    BOLTS,
+    LENGTHS,
+    SMALL,
+    WASHERS,
+    bolt_in,
+    bolt_of,
+    on_wood,
+)
 from freecad_ortho.fabrication.fasteners import Supply, gathered, hardware_rows
 from freecad_ortho.fabrication.files import write
 from freecad_ortho.fabrication.hardware import bolt_bodies, bolt_frames, bolt_shape
@@ -61,9 +69,24 @@ def test_sizes_of_washers_on_wood_follow_the_rule():
     for bolt in (*SMALL, *BOLTS.values()):
         if bolt.diameter <= 20:
             assert on_wood(bolt).washer_width >= 3 * bolt.diameter
-            assert on_wood(bolt).washer >= 0.3 * bolt.diameter
+            assert on_wood(bolt).washer == np.ceil(0.3 * bolt.diameter)
         else:
             assert on_wood(bolt) == bolt
+
+
+def test_sizes_of_bolts_keep_the_proportions_of_their_standards():
+    for bolt in (*SMALL, *BOLTS.values()):
+        size = bolt.diameter
+        # Drilled for a thread (ISO 2306), clear of a wrench (ISO 7738).
+        assert bolt.drill == pytest.approx(size - bolt.pitch, abs=0.051), bolt.name
+        assert bolt.wrench == np.ceil(2.1 / 2 * bolt.flats + 1), bolt.name
+        # Hexagons with their corners rounded; heads, washers and nuts by the size.
+        assert 1.09 < bolt.corners / bolt.flats < 2 / np.sqrt(3), bolt.name
+        assert 0.6 < bolt.head / size <= 0.7 and 0.8 < bolt.nut / size < 0.95, bolt.name
+        assert 1.8 < bolt.washer_width / size <= 2.0, bolt.name
+        assert 0.12 < bolt.washer / size < 0.27 and 1.5 <= bolt.flats / size <= 1.7, bolt.name
+    # The lengths of ISO 888.
+    assert LENGTHS == (*range(20, 75, 5), *range(80, 160, 10))
 
 
 def drills_of(part):

@@ -55,6 +55,9 @@ def test_files_are_in_mm_whatever_unit_the_kernel_was_set_to(tmp_path):
     text = (tmp_path / "set.step").read_text()
     assert text == (tmp_path / "plain.step").read_text()
     assert re.findall(r"SI_UNIT\((\S+?),\.METRE\.\)", text) == [".MILLI."]
+    # Who wrote it and for whom is not said.
+    head = "".join(text.partition("ENDSEC;")[0].split())
+    assert "FILE_NAME('structure','2000-01-01T00:00:00',(''),('')," in head
     box = shape.BoundingBox()
     assert name == "P0000"
     assert (box.xlen, box.ylen, box.zlen) == pytest.approx((900, 400, 10))
