@@ -144,8 +144,10 @@ def test_heads_stand_free_and_threads_end_in_the_parts_that_have_them(bolted, ho
         # Beside the shank: within the wall under the head, within the thread at its end.
         aside = bolt_frames(each)[number, 0] * (each.bolt.hole / 2 + 1.5)
         tip = place + (each.length - 1) * way + aside
-        wall = place + (each.washers * each.bolt.washer + 1) * way + aside
-        assert solids[first].isInside(tuple(wall))
+        # The wall begins where its washers end.
+        for depth, within in ((-0.1, False), (0.1, True)):
+            wall = place + (each.washers * each.bolt.washer + depth) * way + aside
+            assert solids[first].isInside(tuple(wall)) == within
         assert solids[last].isInside(tuple(tip))
         under = place - 1 * way + aside
         assert not any(solid.isInside(tuple(under)) for solid in solids.values())

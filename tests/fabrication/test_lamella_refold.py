@@ -8,12 +8,23 @@ import numpy as np
 import pytest
 
 from freecad_ortho.fabrication import Lamellas, build
-from freecad_ortho.fabrication.systems.lamellas.facets import walked
+from freecad_ortho.fabrication.systems.lamellas.facets import triangles, walked
 from freecad_ortho.fabrication.tables import write_bends
 from freecad_ortho.mesh_files import read_mesh
 from solver.errors import InputError
 from tests.conftest import surface_of_revolution
 from tests.meshes import helicoid, scherk
+
+
+def test_triangles_fill_a_side_that_is_not_convex():
+    hook = np.array([(0, 0), (4, 0), (4, 4), (3, 4), (3, 1), (0, 1)], dtype=float)
+    loop = [7, 2, 5, 1, 0, 3]
+    points = np.zeros((8, 2))
+    points[loop] = hook
+    a, b, c = np.moveaxis(points[triangles(points, loop)], 1, 0)
+    areas = np.linalg.det(np.stack([b - a, c - a], axis=1)) / 2
+    assert len(areas) == 4 and (areas > 0).all()
+    assert areas.sum() == pytest.approx(4 + 3)
 
 
 def turned(vector, axis, degrees):
