@@ -13,7 +13,7 @@ from scipy.spatial import ConvexHull
 
 from freecad_ortho.fabrication import Beams, Lamellas, Panels, Workshop, build, write
 from freecad_ortho.fabrication.exchange.btlx import write_btlx
-from freecad_ortho.fabrication.exchange.btlx_laps import laps
+from freecad_ortho.fabrication.exchange.btlx_laps import laps, without_flat_corners
 from freecad_ortho.fabrication.material import MATERIALS
 from freecad_ortho.fabrication.place import Place
 from freecad_ortho.fabrication.production import produce
@@ -202,6 +202,12 @@ def test_boards_are_rebuilt_flat(made, name):
         assert texts == [part.name, *(mark.text for mark in pattern.marks if mark.text)]
         lines = list(element.iter(f"{SPACE}PenContour"))
         assert len(lines) == sum(not mark.text for mark in pattern.marks)
+
+
+def test_corners_at_which_an_outline_goes_straight_on_are_left_out():
+    square = np.array([(10, 20), (40, 20), (70, 20), (70, 50), (70, 80), (10, 80)], dtype=float)
+    kept = without_flat_corners(square)
+    np.testing.assert_array_equal(kept, square[[0, 2, 4, 5]])
 
 
 def test_what_stands_above_a_slot_is_left_alone():
