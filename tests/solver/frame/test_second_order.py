@@ -7,11 +7,12 @@ from scipy.optimize import minimize_scalar, root
 from solver.frame import corotational
 from solver.frame.buckling import buckling
 from solver.frame.corotational import Ends
-from solver.frame.model import Loads
+from solver.frame.model import Loads, Supports
 from solver.frame.response import imbalance, response
 from solver.frame.second_order import followed, imperfect, second_order
+from solver.frame.system import FrameSystem
 from tests.solver.frame import frames
-from tests.solver.frame.frames import ABOUT_Z, AREA, RIGID, YOUNGS
+from tests.solver.frame.frames import ABOUT_Y, ABOUT_Z, AREA, RIGID, YOUNGS
 
 
 @pytest.fixture(scope="module")
@@ -101,6 +102,19 @@ def test_the_frame_of_lee_reaches_its_limit():
     path = followed(frames.system(built, held), loads, 28, 0.3)
     assert path.limit == pytest.approx(1.857, rel=0.02)
     assert path.factors[-1] < path.limit
+
+
+def test_springs_of_supports_resist():
+    """w = F / (3 E I / L^3 + c) for a small load at the end of a cantilever."""
+    built = frames.straight(1)
+    bending = 3 * YOUNGS * ABOUT_Y / 3000.0**3
+    fixed, springs = np.zeros((2, 6), dtype=bool), np.zeros((2, 6))
+    fixed[0], springs[1, 2] = True, 2 * bending
+    loads = Loads.none(built)
+    loads.nodal[1, 2] = 3.0 * bending
+    found = second_order(FrameSystem(built, Supports.upright(fixed, springs)), loads)
+    assert found.factor == 1.0
+    assert found.response.displacements[1, 2] == pytest.approx(1.0, rel=1e-4)
 
 
 def test_a_star_dome_of_bars_snaps_through():
