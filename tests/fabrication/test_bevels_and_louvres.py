@@ -76,6 +76,7 @@ def test_louvres_are_rhombi_between_midpoints(roof, axis, tilt):
         normal = roof.face_normals[part.face]
         angle = np.arcsin(np.linalg.norm(np.cross(part.frame[2], normal)))
         assert np.degrees(angle) == pytest.approx(abs(tilt), abs=1e-5)
+        np.testing.assert_allclose(part.frame @ part.frame.T, np.eye(3), atol=1e-12)
         # The axis runs through two opposite midpoints, along its family.
         lines = [points[0] - points[2], points[1] - points[3]]
         aligned = [np.linalg.norm(np.cross(part.frame[0], x)) <= 1e-6 for x in lines]

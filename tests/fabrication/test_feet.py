@@ -110,6 +110,11 @@ def test_base_plates_are_level_below_their_vertices(sheet):
         away = np.linalg.norm(middles - size / 2, axis=1)
         assert away.min() >= 88.9 / 2 + bolt.wrench - 1e-9
         assert not cap.pattern.holes
+        # A tick in the middle of the edge that points to y on site.
+        (tick,) = base.pattern.marks
+        ahead = np.diff(tick.points, axis=0)[0] @ base.frame[:2]
+        assert ahead / np.linalg.norm(ahead) == pytest.approx([0, 1, 0])
+        assert tick.points[:, 0] == pytest.approx(size[0] / 2)
 
 
 def test_at_a_border_vertices_within_stand_on_them(sheet):

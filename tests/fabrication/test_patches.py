@@ -103,6 +103,21 @@ def test_strips_cut_from_a_sheet_are_bent_as_it_is(family):
     assert sharpest == pytest.approx(whole.measures.min_bend_radius_mm, rel=0.1)
 
 
+def test_pieces_too_narrow_for_a_circle_are_left_out_and_named():
+    x, y = np.meshgrid(np.arange(5.0), np.arange(4.0), indexing="ij")
+    net = grid_mesh(1000.0 * np.stack([x, y, 0 * x], axis=-1))
+    wide, narrow = (
+        np.array([(a, 200, 0), (b, 200, 0), (b, 2800, 0), (a, 2800, 0)], dtype=float)
+        for a, b in ((300, 3000), (3300, 3340))
+    )
+    structure = build(net, [Patches(2)], border=[wide, narrow])
+    report = structure.report()["patches"]
+    assert len(report["left_out"]) == 1
+    assert report["left_out_mm2"] == pytest.approx(40 * 2600, rel=1e-3)
+    (part,) = structure.parts
+    assert part.area == pytest.approx(2700 * 2600, rel=1e-3)
+
+
 def test_strips_of_a_sheet_that_is_bent_too_far_fail_as_it_does(tmp_path):
     sheet = bent_sheet().scaled(1000.0)
     for name, lines in (("whole", Selection()), ("strips", Selection("u"))):

@@ -45,6 +45,8 @@ def test_uniform_vertex_loads_hang_in_a_parabola():
     mesh = primitive("rectangle", 17, 4, length=16.0)
     held, net = ends(mesh, 4), CableNet(family_densities(mesh, u=3.0, v=0.0))
     loads = VertexLoads(vertex=(0, 0, -0.6))
+    one_each = VertexLoads(vertex=np.tile([0, 0, -0.6], (len(mesh.vertices), 1)))
+    np.testing.assert_array_equal(one_each.forces(mesh), loads.forces(mesh))
     found = find_form(mesh, held, net, loads)
     assert found.converged and found.iterations == 1
     x, _, z = found.mesh.vertices.T
