@@ -34,6 +34,12 @@ GRADE = "8.8"
 LENGTHS = (20, 25, 30, 35, 40, 45, 50, 55, 60, 65, 70, 80, 90, 100, 110, 120, 130, 140, 150)
 # Thicknesses that plates are rolled in, mm (a choice of EN 10029 and EN 10058).
 PLATES = (5, 6, 8, 10, 12, 15, 20, 25, 30, 35, 40, 50, 60)
+# Diameters that round bars are rolled in, mm (EN 10060, table 1, from 10 mm on).
+ROUND_BARS = (
+    *(10, 12, 13, 14, 15, 16, 18, 19, 20, 22, 24, 25, 26, 27, 28, 30, 32, 35, 36, 38, 40, 42, 45),
+    *(48, 50, 52, 55, 60, 63, 65, 70, 73, 75, 80, 85, 90, 95, 100, 105, 110, 115, 120, 125, 130),
+    *(135, 140, 145, 150, 155, 160, 165, 170, 175, 180, 190, 200, 220, 250),
+)
 # Distances in diameters of holes (EN 1993-1-8, table 3.3).
 EDGE, SPACING = 1.2, 2.2
 # Step of the lengths that threads in plates are bolted with, mm.

@@ -93,7 +93,7 @@ class Production:
         cuts: dict[str, list[str]] = {}
         for clash in self.clashes.clashes:
             for name, other in ((clash.first, clash.second), (clash.second, clash.first)):
-                cuts.setdefault(name, []).append(f"cuts {other} by {clash.volume:.1f} mm3")
+                cuts.setdefault(name, []).append(f"cuts {other} by {_volume(clash.volume)} mm3")
         for pair in self.clashes.open:
             for name, other in (pair, pair[::-1]):
                 cuts.setdefault(name, []).append(
@@ -300,3 +300,8 @@ def _stock_report(stock: Stock, workshop: Workshop) -> dict[str, Any]:
         ],
         "too_long": [part.name for part in stock.too_long],
     }
+
+
+def _volume(volume: float) -> str:
+    """A volume that is not 0 in words that do not say so either, mm3."""
+    return f"{volume:.1f}" if volume >= 0.1 else "less than 0.1"

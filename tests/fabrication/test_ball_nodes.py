@@ -1,5 +1,7 @@
 """Ball nodes: sizes by rule, tubes that meet in the middle of balls, holes for their bolts."""
 
+from collections import Counter
+
 import numpy as np
 import pytest
 from OCP.BRepGProp import BRepGProp
@@ -158,6 +160,30 @@ def test_holes_are_listed_as_they_are_drilled(joined):
     report = joined.report()["nodes"]
     assert sum(row[1] for row in tables["node-types.csv"].rows) == len(joined.mesh.vertices)
     assert 1 < report["different"] < len(joined.mesh.vertices)
+
+
+def test_what_is_turned_is_listed_with_all_that_a_turner_needs(joined):
+    """The volumes of cone and sleeve follow from their rows alone."""
+    [table] = [each for each in joined.results["nodes"].tables if each.name == "turned-parts.csv"]
+    cone, sleeve, *balls = (dict(zip(table.columns, row, strict=True)) for row in table.rows)
+    parts = {kind: of_kind(joined, kind) for kind in ("cone", "sleeve", "node")}
+    assert (cone["kind"], cone["from"]) == ("cone", "round bar 90")
+    assert cone["count"] == sleeve["count"] == len(parts["cone"]) == len(parts["sleeve"])
+
+    def frustum(first, last, length):
+        return np.pi / 12 * length * (first**2 + first * last + last**2)
+
+    behind = cone["length_mm"] - cone["end_mm"]
+    volume = frustum(cone["small_end_mm"], cone["diameter_mm"], cone["length_mm"])
+    volume -= frustum(cone["hole_mm"], cone["hole_mm"], cone["end_mm"])
+    volume -= frustum(cone["opening_small_mm"], cone["opening_mm"], behind)
+    assert parts["cone"][0].volume == pytest.approx(volume, rel=1e-5)
+    flats = float(sleeve["from"].removeprefix("hexagon bar "))
+    area = np.sqrt(3) / 2 * flats**2 - np.pi / 4 * sleeve["hole_mm"] ** 2
+    assert parts["sleeve"][0].volume == pytest.approx(area * sleeve["length_mm"], rel=1e-6)
+    assert {ball["diameter_mm"]: ball["count"] for ball in balls} == Counter(
+        part.width for part in parts["node"]
+    )
 
 
 def test_tubes_are_sawn_square(joined):

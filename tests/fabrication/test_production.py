@@ -255,20 +255,22 @@ def test_twisted_beams_cut_into_each_other_a_little(twisted):
         assert 1e-6 < clash.volume / parts[clash.first].volume < 1e-4
 
 
-def test_clashes_are_found_with_their_volume(plane):
-    parts = list(build(plane, [Panels(20, 15)]).parts)
+@pytest.mark.parametrize("scale, said", [(1.0, "369375.0"), (0.005, "less than 0.1")])
+def test_clashes_are_found_with_their_volume(plane, scale, said):
+    net, panels = plane.scaled(scale), Panels(20 * scale, 15 * scale)
+    structure = build(net, [panels])
+    parts = list(structure.parts)
     first = parts[0]
-    parts[0] = replace(first, origin=first.origin + np.array([40.0, 0.0, 5.0]))
+    parts[0] = replace(first, origin=first.origin + scale * np.array([40.0, 0.0, 5.0]))
     (clash,) = check_clashes(parts).clashes
-    x = next(p for p in parts[1:] if abs(p.origin[0] - first.origin[0] - 1000) < 1)
+    x = next(p for p in parts[1:] if abs(p.origin[0] - first.origin[0] - 1000 * scale) < scale)
     assert {clash.first, clash.second} == {first.name, x.name}
-    assert clash.volume == pytest.approx((40 - 15) * 985 * 15, rel=1e-6)
-    structure = build(plane, [Panels(20, 15)])
+    assert clash.volume == pytest.approx((40 - 15) * 985 * 15 * scale**3, rel=1e-6)
     result = replace(structure.results["panels"], parts=tuple(parts))
     production = produce(replace(structure, results={"panels": result}))
     failed = production.report()["verdict"]["failed"]
     assert set(failed) == {first.name, x.name}
-    assert failed[x.name].startswith(f"cuts {first.name} by 369375.0 mm3")
+    assert f"cuts {first.name} by {said} mm3" in failed[x.name]
 
 
 def test_pairs_of_parts_that_only_the_kernel_can_judge(plane, monkeypatch):

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections import Counter
+
 import numpy as np
 
 from freecad_ortho.fabrication.ball_body import Ball
 from freecad_ortho.fabrication.bodies import Body, Prism
 from freecad_ortho.fabrication.bolt_strength import COLUMNS, Clamped
-from freecad_ortho.fabrication.bolts import GRADE, HEADS
+from freecad_ortho.fabrication.bolts import GRADE, HEADS, ROUND_BARS
 from freecad_ortho.fabrication.fasteners import Fasteners, gathered
 from freecad_ortho.fabrication.part import Measures, Part, part_names
 from freecad_ortho.fabrication.site import Site
@@ -28,6 +30,10 @@ _HOLE_COLUMNS = (
     *("ball", "diameter_mm", "hole", "beam", "end", "azimuth_deg", "elevation_deg"),
     *("seat_mm", "thread", "drill_mm", "depth_mm"),
 )
+_TURNED_COLUMNS = (
+    *("kind", "count", "material", "from", "length_mm", "diameter_mm", "small_end_mm", "hole_mm"),
+    *("end_mm", "opening_small_mm", "opening_mm", "mass_kg"),
+)
 _HEXAGON = np.pi / 3 * np.arange(6)
 
 
@@ -41,6 +47,7 @@ class BallMaking:
         self.pieces: dict[tuple[int, int], tuple[Part, Part]] = {}
         self.holes: list[tuple[object, ...]] = []
         self.placed: list[tuple[FloatArray, FloatArray, tuple[str, ...]]] = []
+        self.sizes: list[float] = []
         self.nodes = part_names("N", len(site.mesh.vertices))
         self.names = part_names("B", len(beams.lengths))
         self.cone, self.sleeve = self._cone(), self._sleeve()
@@ -58,6 +65,7 @@ class BallMaking:
         frame = np.stack([first, np.cross(axis, first), axis])
         ways = star.arms[met] @ frame.T
         joints, diameter = self.joints, float(self.diameters[vertex])
+        self.sizes.append(diameter)
         seat = float(self.beams.hub_radii[vertex])
         body = Ball(diameter / 2, ways, seat, joints.bolt.drill, joints.depth)
         for number, (k, way) in enumerate(zip(met, ways, strict=True)):
@@ -184,8 +192,41 @@ class BallMaking:
         grip = joints.end + joints.sleeve
         return gathered(joints.bolt, joints.length, grip, 0, False, "cones and balls", self.placed)
 
-    def tables(self) -> tuple[Table, Table]:
-        """Bolts, which are all alike, and holes of balls."""
+    def _turned(self) -> Table:
+        """What a turner makes: cones and sleeves, which are all alike, and balls by size; mm.
+
+        ``from`` is the bar to take, ``end_mm`` the thickness at a cone's small end; its opening
+        widens behind that.
+        """
+        joints, site = self.joints, self.site
+        count, hole = len(self.pieces), joints.bolt.hole
+        bar = next((f"round bar {size}" for size in ROUND_BARS if size >= joints.tube), "forging")
+        rows: list[tuple[object, ...]] = []
+        if count:
+            cone, sleeve = next(iter(self.pieces.values()))
+            opening = (round(2 * joints.room, 3), round(joints.tube - 2 * joints.wall, 3))
+            rows += [
+                (
+                    *("cone", count, cone.material.name, bar, round(joints.cone, 3), joints.tube),
+                    *(round(joints.corners, 3), hole, joints.end, *opening, round(cone.mass, 3)),
+                ),
+                (
+                    *("sleeve", count, sleeve.material.name, f"hexagon bar {joints.flats:g}"),
+                    *(round(joints.sleeve, 3), "", "", hole, "", "", "", round(sleeve.mass, 3)),
+                ),
+            ]
+        for size, number in sorted(Counter(self.sizes).items()):
+            mass = site.material.mass(np.pi / 6 * size**3)
+            rows.append(
+                (
+                    *("ball", number, site.material.name, f"ball {size:g}", size, size),
+                    *("", "", "", "", "", round(mass, 3)),
+                )
+            )
+        return Table("turned-parts.csv", _TURNED_COLUMNS, tuple(rows))
+
+    def tables(self) -> tuple[Table, ...]:
+        """Bolts, which are all alike, holes of balls, and what is turned."""
         joints, bolt = self.joints, self.joints.bolt
         row = (
             *(bolt.name, joints.length, HEADS, GRADE, len(self.pieces)),
@@ -195,4 +236,5 @@ class BallMaking:
         return (
             Table("bolts.csv", _BOLT_COLUMNS, (row,)),
             Table("ball-holes.csv", _HOLE_COLUMNS, tuple(self.holes)),
+            self._turned(),
         )
