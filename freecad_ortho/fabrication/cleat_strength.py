@@ -10,6 +10,11 @@ held against F, the lesser of what shears it in one plane and of what it and the
 lamella bear on each other (table 3.4). The bolts of the other leg are pulled by H instead: used
 by sqrt((V / n)^2 + (V e / p)^2) / F + H / (1.4 n T) with the tension T that one bears. One bolt
 alone takes no moment: the other leg has to.
+
+What pulls the bolts of a leg off the corner bends it there: a plate h high and t thick, the bolts
+a distance e off, yields through (EN 1993-1-1, 6.2.5, class 1) at the pull
+
+    H = h t^2 f / (4 e).
 """
 
 from __future__ import annotations
@@ -20,7 +25,7 @@ from typing import Any
 
 from freecad_ortho.fabrication.bolt_strength import Clamped
 from freecad_ortho.fabrication.cleat import CleatSizes
-from freecad_ortho.fabrication.material import Material
+from freecad_ortho.fabrication.material import MATERIALS, Material, metal_for
 
 
 def clamped(sizes: CleatSizes, material: Material) -> Clamped | None:
@@ -62,7 +67,22 @@ def cleat_report(every: Sequence[CleatSizes], material: Material) -> dict[str, A
         "cleat_bolt_tension_kN": round(bolts.tension / 1e3, 1),
         "cleat_bolt_shear_kN": round(shear / 1e3, 1),
         "cleat_bolt_bearing_kN": None if bearing is None else round(bearing / 1e3, 1),
+        "cleat_thickness_mm": weakest.thickness,
+        "cleat_leg_bends_kN": round(leg_bends(weakest, material) / 1e3, 2),
     }
+
+
+def leg_bends(sizes: CleatSizes, material: Material) -> float:
+    """Pull on the bolts of a leg, square to it, at which the leg yields at the corner, N.
+
+    Args:
+        sizes: of the cleat.
+        material: of the lamellas.
+    """
+    metal = metal_for(material)
+    # Plain steel counts as the weakest, as in what its plates bear.
+    strength = MATERIALS["S235" if metal.name == "steel" else metal.name].bending_limit
+    return sizes.height * sizes.thickness**2 * strength / (4 * sizes.back)
 
 
 def cleats_used(lamellas: Mapping[str, Any], forces: Mapping[str, float]) -> str:
@@ -91,10 +111,13 @@ def cleats_used(lamellas: Mapping[str, Any], forces: Mapping[str, float]) -> str
         math.hypot(along / count, moment) / bears + pulled,
     )
     said = "one bolt takes no moment" if apart is None else "with the moment about their middle"
+    bends = lamellas["cleat_leg_bends_kN"]
     return (
         f"Bolts of the cleats, {count} {lamellas['cleat_bolt']} a leg, bear {shear:g} kN each in "
         f"shear (EN 1993-1-8, table 3.4), {plates}. If all that members carry at their ends, "
         f"{across:.3g} kN along and {along:.3g} kN across, passes by one cleat they are used to "
-        f"{100 * used:.0f} % ({said}). Bending of the legs, moments in the members, "
+        f"{100 * used:.0f} % ({said}). The leg across, {lamellas['cleat_thickness_mm']:g} mm "
+        f"thick, yields where it is pulled by {bends:g} kN (EN 1993-1-1, 6.2.5), used to "
+        f"{100 * across / bends:.0f} % then. Moments in the members, "
         f"{forces['moment_kNm']:.3g} kNm at most, and fins of feet are not checked."
     )

@@ -133,6 +133,13 @@ def test_bolts_of_cleats_by_hand():
     words = cleats_used(found, forces)
     assert f"used to {100 * max(own, other):.0f} % (with the moment" in words
     assert "0.5 kNm at most, and fins of feet are not checked" in words
+    # A plate 100 mm high and 8 mm thick of S355, its bolts 40 mm from the corner.
+    bends = 355 * 100 * 8**2 / 4 / 40 / 1e3
+    assert found["cleat_leg_bends_kN"] == pytest.approx(bends, abs=0.005)
+    assert f"pulled by {bends:g} kN" in words
+    assert f"used to {100 * 3 / bends:.0f} % then" in words
+    wood = cleat_report([cleat((-30.0, 30.0), 21.0)], MATERIALS["plywood"])
+    assert wood["cleat_leg_bends_kN"] == pytest.approx(bends * 235 / 355, abs=0.005)
 
 
 def test_cleats_with_the_fewest_bolts_count_and_wood_is_said_not_to_be_checked():

@@ -171,6 +171,31 @@ def test_bolts_keep_their_distances_at_any_angle(angle):
         assert free >= sizes.bolt.wrench
 
 
+def test_cleats_beside_thick_wood_are_as_thick_as_their_bolts(net):
+    """Of steel, with washers that wood takes; above feet steel lies under heads and nuts alike.
+
+    These are so thick that the corners in which legs begin are far off the axes: fins have to stand
+    off what the twist makes of plates there.
+    """
+    sizes = {"width": 100.0, "thickness": 30.0, "hole": 11.0, "strip": "twisted"}
+    made = build(
+        net.scaled(1.2), [Lamellas(cleats=True, **sizes), Feet()], material=MATERIALS["plywood"]
+    )
+    cleats = of_kind(made, "cleat")
+    assert {part.material.name for part in cleats} == {"steel"}
+    assert {part.thickness for part in (*cleats, *of_kind(made, "fin"))} == {10.0}
+    found = check_clashes(made.parts)
+    assert (found.clashes, found.open) == ((), ())
+    washers = {each.holds: each.bolt.washers for each in made.fasteners}
+    assert washers["lamellas and cleats"] == "DIN 440 R"
+    assert washers["feet, lamellas and cleats"] == "EN ISO 7089"
+    for each in made.fasteners:
+        stand = 10.0 if each.holds.startswith("feet") else 0.0
+        assert each.grip >= 30.0 + 10.0 + stand + 2 * each.bolt.washer
+    # Of the lamellas' own metal they are as thick as these.
+    assert sizes_of(Lamellas(120.0, 21.0, hole=11.0), math.pi / 2).thickness == 25.0
+
+
 def test_planes_cross_in_the_corner():
     rng = np.random.default_rng(3)
     normals = rng.normal(size=(2, 3))

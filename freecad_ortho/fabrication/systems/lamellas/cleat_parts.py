@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterable, Sequence
 
 import numpy as np
 
+from freecad_ortho.fabrication.bolts import Bolt, bolt_in
 from freecad_ortho.fabrication.cleat import Cleat
 from freecad_ortho.fabrication.fasteners import Fasteners, gathered
 from freecad_ortho.fabrication.material import metal_for
@@ -86,26 +87,28 @@ def cleat_bolts(
         feet: names that feet would have, one a vertex.
     """
     by_grip: dict[tuple[float, float, bool], list[_Placed]] = {}
-    kinds: dict[tuple[float, float, bool], Cleat] = {}
+    kinds: dict[tuple[float, float, bool], Bolt] = {}
     for cleat in cleats:
         sizes = cleat.sizes
         if sizes.bolt is None:
             continue
         stands = cleat.vertex in standing
+        # Above feet both sides are of steel, as a fin lies under the heads.
+        bolt = bolt_in(sizes.hole) if stands else sizes.bolt
+        assert bolt is not None
         for number, leg in enumerate(cleat.legs):
             below = sizes.plate + 2 * leg.gap + (sizes.thickness if stands else 0.0)
             thick = _STEP * np.ceil((below + sizes.thickness) / _STEP - 1e-6)
-            key = float(thick), sizes.bolt.diameter, stands
-            kinds[key] = cleat
+            key = float(thick), bolt.diameter, stands
+            kinds[key] = bolt
             fin = (f"{feet[cleat.vertex]}-fin-{number + 1}",) if stands else ()
             for place in cleat.bolts(number):
-                under = place + site.shift - (below + sizes.bolt.washer) * leg.out
+                under = place + site.shift - (below + bolt.washer) * leg.out
                 joins = *fin, leg.part, cleat.name
                 by_grip.setdefault(key, []).append((under, leg.out, joins))
     found = []
     for key, placed in sorted(by_grip.items(), key=lambda each: each[0]):
-        bolt = kinds[key].sizes.bolt
-        assert bolt is not None
+        bolt = kinds[key]
         holds = "feet, lamellas and cleats" if key[2] else "lamellas and cleats"
         grip = key[0] + 2 * bolt.washer
         found.append(gathered(bolt, bolt.through(key[0]), grip, 2, True, holds, placed))

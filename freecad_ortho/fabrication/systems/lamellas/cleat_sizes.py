@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from freecad_ortho.fabrication.bolts import bolt_in, plate_of
+from freecad_ortho.fabrication.bolts import Bolt, bolt_in, on_wood, plate_of
 from freecad_ortho.fabrication.cleat import CleatSizes
 from freecad_ortho.fabrication.systems.lamellas.bolts import BOLT_DISTANCE, bolts, half_length
 from freecad_ortho.fabrication.systems.lamellas.settings import EDGE_DISTANCE, LamellaSettings
@@ -21,8 +21,8 @@ def sizes_of(settings: LamellaSettings, angle: float, *, spread: int = 0) -> Cle
     ``spread`` over the width (0), as near to each other as the rule and a wrench allow (1), or
     there is one in the middle (2).
     """
-    hole, bolt = settings.hole, bolt_in(settings.hole)
-    thickness = plate_of(settings.thickness)
+    hole, bolt = settings.hole, cleat_bolt(settings)
+    thickness = leg_thickness(settings)
     edge = EDGE_DISTANCE * hole
     levels = tuple(sorted({level for _, level in bolts(settings).tolist()}))
     least = max(BOLT_DISTANCE * hole, 0.0 if bolt is None else bolt.spacing) / 2
@@ -46,6 +46,24 @@ def sizes_of(settings: LamellaSettings, angle: float, *, spread: int = 0) -> Cle
         back + math.ceil(edge),
         settings.thickness,
     )
+
+
+def cleat_bolt(settings: LamellaSettings) -> Bolt | None:
+    """What legs are bolted with; None where no bolt of the list passes their holes."""
+    bolt = bolt_in(settings.hole)
+    return on_wood(bolt) if bolt is not None and settings.on_wood else bolt
+
+
+def leg_thickness(settings: LamellaSettings) -> float:
+    """Of a cleat's legs, mm.
+
+    Those of the lamellas' own metal are as thick as these. Those of steel on wood need not be
+    thicker than their bolts: from that on a plate holds them upright (EN 1995-1-1, 8.2.3).
+    """
+    bolt = bolt_in(settings.hole)
+    if not settings.steel_cleats or bolt is None:
+        return plate_of(settings.thickness)
+    return plate_of(min(settings.thickness, bolt.diameter))
 
 
 def edge_for_splice(settings: LamellaSettings) -> float:

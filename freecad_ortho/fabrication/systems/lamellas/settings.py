@@ -55,6 +55,8 @@ class LamellaSettings:
             u and v, "second", or "auto", those nearer to straight; "none" without one.
         lifted: level of the middle of that layer above the net, mm; filled in.
         feet: what stands on feet, as ``Feet`` names it; filled in where these are built too.
+        steel_cleats: whether cleats are of steel, as lamellas are of wood or the like; filled in.
+        on_wood: whether bolts need the washers of wood; filled in.
         border_cut: at the border of the surface strips end "square" before it, or "along" it where
             that leaves their crossings room, square through the plate.
 
@@ -81,6 +83,8 @@ class LamellaSettings:
     diagonals: str = "none"
     feet: str = ""
     lifted: float = 0.0
+    steel_cleats: bool = False
+    on_wood: bool = False
 
     options: ClassVar[tuple[Option, ...]] = (
         size("width", 80.0, "the strips are this wide"),

@@ -13,6 +13,7 @@ from freecad_ortho.fabrication.assembly import judged
 from freecad_ortho.fabrication.bolts import SMALL, bolt_in
 from freecad_ortho.fabrication.cleat import Cleat, OnCleats
 from freecad_ortho.fabrication.cleat_strength import cleat_report
+from freecad_ortho.fabrication.material import metal_for
 from freecad_ortho.fabrication.part import Part, part_names
 from freecad_ortho.fabrication.site import Site
 from freecad_ortho.fabrication.systems.feet.places import standing
@@ -88,6 +89,12 @@ class Lamellas(LamellaSettings, System):
             InputError: a net too far from what the patterns need, rulings that meet inside the
                 width, slots or holes that do not fit.
         """
+        steel = metal_for(site.material) is not site.material
+        told = replace(self, steel_cleats=steel, on_wood=site.material.wood)
+        return told._built(site)
+
+    def _built(self, site: Site) -> SystemParts:
+        """The lamellas of settings that are filled in."""
         pattern = pattern_of(site, self)
         if pattern.kind == "arc":
             # At the border a CMC net asks nothing: a line that runs on there is no arc any more.
@@ -227,7 +234,12 @@ class Lamellas(LamellaSettings, System):
         return messages
 
     def _said_of_layers(self, lamellas: list[Lamella], met: list[list[Crossing]]) -> list[str]:
-        """What a user should know about two layers."""
+        """What a user should know about two layers, and about what leans over."""
+        if self.position == "tilted":
+            return [
+                "lamellas: tilted ones have neither cleats nor feet, as no plane angle lies in "
+                "their corners; what holds their ends is yours"
+            ]
         if self.layers == 1:
             return []
         if self.standing:

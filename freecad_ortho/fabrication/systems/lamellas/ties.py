@@ -13,10 +13,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from freecad_ortho.fabrication.bolts import bolt_in, plate_of
 from freecad_ortho.fabrication.cleat import Cleat, CleatSizes, Leg, corner_of
 from freecad_ortho.fabrication.part import part_names
 from freecad_ortho.fabrication.systems.lamellas.axis import Lamella
+from freecad_ortho.fabrication.systems.lamellas.cleat_sizes import cleat_bolt, leg_thickness
 from freecad_ortho.fabrication.systems.lamellas.cleats import Arm
 from freecad_ortho.fabrication.systems.lamellas.crossings import at_vertices
 from freecad_ortho.fabrication.systems.lamellas.settings import EDGE_DISTANCE, LamellaSettings
@@ -38,8 +38,8 @@ class _Tie:
 
 def tie_sizes(settings: LamellaSettings, level: float) -> CleatSizes:
     """Of all angles below a layer whose middle is at a level above the net, mm."""
-    hole, bolt = settings.hole, bolt_in(settings.hole)
-    edge, thickness = EDGE_DISTANCE * hole, plate_of(settings.thickness)
+    hole, bolt = settings.hole, cleat_bolt(settings)
+    edge, thickness = EDGE_DISTANCE * hole, leg_thickness(settings)
     above = level - settings.thickness / 2 - settings.width / 2
     wrench = 0.0 if bolt is None else bolt.wrench + thickness
     back = float(math.ceil(max(edge + above, wrench)))
