@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
 
 from solver.analysis.form import off_surface
 from solver.candidate import Candidate
@@ -84,11 +87,45 @@ def far_off(net: Candidate, surface: TriangleSurface | None) -> float:
     return float(off_surface(net.mesh, surface).max())
 
 
-def in_reach(net: Candidate, surface: TriangleSurface | None, original: Problem) -> float | None:
-    """How near a net may come that is nearly on the surface; None where it is not."""
-    if surface is None:
-        return None
-    return limit_in_reach(far_off(net, surface), original.mesh, original.tuning)
+class AlongCourse(NamedTuple):
+    """How the last phase goes from a net.
+
+    Attributes:
+        evenness: weight of lines that bend evenly.
+        near: the net nearly is on the surface.
+        sharp: another attempt follows that lowers the largest distance.
+    """
+
+    evenness: float
+    near: bool = False
+    sharp: bool = False
+
+
+def course_from(
+    net: Candidate, far: float, original: Problem, handles: bool, rough: bool, early: bool
+) -> AlongCourse:
+    """How the last phase goes from a net: the farther it is, the more even lines weigh.
+
+    Args:
+        net: from which it sets out.
+        far: how far off the surface it is, in model units.
+        original: as posed from the start.
+        handles: it is these that are pulled, not the surface that is wanted.
+        rough: the net was not made for the surface, or is free enough to come near by itself.
+        early: other attempts would follow.
+    """
+    tuning = net.tuning
+    if early:
+        return AlongCourse(tuning.along_early)
+    if handles or rough:
+        return AlongCourse(tuning.along_evenness)
+    if limit_in_reach(far, original.mesh, original.tuning) is not None:
+        return AlongCourse(tuning.along_near, near=True)
+    if far <= tuning.long_way * float(np.linalg.norm(np.ptp(original.mesh.vertices, axis=0))):
+        return AlongCourse(tuning.along_evenness, sharp=True)
+    # Lines that are less even have no more to lose than is allowed.
+    uneven = net.smoothness < min(net.smoothness_start, tuning.even + tuning.uneven)
+    return AlongCourse(tuning.along_rough if uneven else tuning.along_far)
 
 
 def is_sound(found: Candidate, before: Candidate) -> bool:

@@ -35,6 +35,7 @@ from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.point import Point
 from solver.problem import Problem
 from solver.terms.base import Linearisation, Term
+from solver.terms.near_surface import NearSurface
 from solver.wishes import Wish
 
 # Moves of so many mean edges are rounding.
@@ -54,6 +55,7 @@ class NearestNet:
         point: where it stands; its first terms are the constraints.
         damping: added to the matrix in the next step.
         finished: true where no further step helps.
+        worth: a step that lowers the wishes by a smaller part of them is the last.
     """
 
     def __init__(
@@ -76,6 +78,7 @@ class NearestNet:
         self.problem, self._tuning = problem, problem.tuning
         self.point = Point.at(system, terms, x.copy()).followed()
         self.damping = self._tuning.along_damping_start
+        self.worth = self._tuning.along_worth
         self.finished = not wishes or not len(system.sparsity.unknowns)
 
     @property
@@ -87,6 +90,14 @@ class NearestNet:
     def wishes(self) -> float:
         """Weighted sum of squares of the wishes where it stands."""
         return self.point.weighed(self._wished).energy
+
+    def sharpen(self) -> None:
+        """From now on what is farthest from a surface counts most: the largest distance falls."""
+        for number, term in enumerate(self.point.terms):
+            if isinstance(term, NearSurface):
+                sharper = term.peaked(self.point.x, self._tuning.peak)
+                self.point = self.point.with_term(number, sharper)
+        self.worth, self.finished = self._tuning.peak_worth, False
 
     def run(self, most: int = 50) -> FloatArray:
         """Take steps until none helps, or so many; return the exact flat vector."""
@@ -168,7 +179,7 @@ class NearestNet:
                     self.damping = self._damping_after(used, gain / promised, refused)
                     done = taken < tuning.undamped * promised
                     done = done and promised < tuning.along_enough * before
-                    self.finished = done or gain < tuning.along_worth * before
+                    self.finished = done or gain < self.worth * before
                     return length, solving
             self.damping = max(tuning.along_harder * used, tuning.along_refused)
             refused = True

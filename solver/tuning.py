@@ -88,6 +88,8 @@ class Tuning:
         along_evenness: weight of lines that bend evenly in the last phase, where that of the
             distance from the surface is one,
         along_near: of a net that is nearly on the surface already,
+        along_far: of one that has a long way to go across the curvature,
+        along_rough: of such a one whose lines have no evenness to lose,
         along_early: of one that is led on early because its lines zigzag,
         along_evener: and in another attempt where they zigzag after that.
         along_steps: the last phase takes as many steps as there were before, or so many:
@@ -118,6 +120,12 @@ class Tuning:
         equal: with this residual parts of a kind are equal as far as numbers tell.
         on_surface: part of its size that a net may be off a surface where nobody says how much,
         in_reach: and how many times that for another last phase to be worth its time.
+        long_way: part of its size off a surface from which on a net has a long way to go.
+        peak: what is farther off than so many times the root mean square counts with its fourth
+            power in an attempt that follows where the way is not long,
+        peak_begin: once steps lower the wishes by less than this part of them,
+        peak_worth: until they lower those fourth powers by less than this part: of the distances
+            that is a quarter of a percent.
         inside: part of a distance that is allowed from which on it weighs
         forbidden: so much more.
         along_motion: weight of neighbours that move alike along the nets, against zigzag for the
@@ -241,6 +249,8 @@ class Tuning:
     gone: float = 0.1
     along_evenness: float = 0.04
     along_near: float = 0.07
+    along_far: float = 0.08
+    along_rough: float = 0.6
     along_early: float = 0.1
     along_evener: float = 1.0
     along_steps: int = 24
@@ -266,6 +276,10 @@ class Tuning:
     equal: float = 1e-11
     on_surface: float = 4.5e-4
     in_reach: float = 6.0
+    long_way: float = 0.015
+    peak: float = 1.5
+    peak_begin: float = 0.05
+    peak_worth: float = 0.01
     inside: float = 0.8
     forbidden: float = 100.0
     along_motion: float = 1e-3

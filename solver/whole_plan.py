@@ -14,7 +14,7 @@ from solver.along import Along
 from solver.analysis.form import surface_of
 from solver.best import Best
 from solver.candidate import Candidate, judge
-from solver.last_phase import Aim
+from solver.last_phase import Aim, AlongCourse, course_from
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.quadmesh import FloatArray, QuadMesh
 from solver.nearest import NearestNet
@@ -22,7 +22,7 @@ from solver.plan import Attempt, Attempts
 from solver.problem import Problem
 from solver.repetition import Repeat, Repetition
 from solver.report import CONVERGED, STALLED, STOPPED, Repeated, StepRecord
-from solver.wishes import pull_of
+from solver.wishes import limit_in_reach, pull_of
 
 
 class Ended(NamedTuple):
@@ -77,6 +77,8 @@ class WholePlan:
         self.repetition: Repeated | None = None
         self._stopped = self._pressed = False
         self._mended: Candidate | None = None
+        # Of the last two nets: many points are looked up for each.
+        self._distances: list[tuple[Candidate, float]] = []
 
     def way(self) -> WholeWay:
         """A net, from it the one nearest to what was drawn, and from that one of few kinds."""
@@ -148,45 +150,53 @@ class WholePlan:
         Where that spoilt the net, once more with evener lines; where the net is farther off than
         it may be, once more with what is beyond that weighing more.
         """
-        tuning, best = self._tuning, self.best.so_far() or net
-        near = not early and self._is_near(net)
-        usual = tuning.along_near if near else tuning.along_evenness
-        evenness = tuning.along_early if early else usual
-        found = yield from self._along(net, evenness, early, near)
+        best, pulled = self.best.so_far() or net, self._ground is None
+        rough = self.aim.nearest or self.aim.early
+        course = course_from(net, self._far(net), self.original, pulled, rough, early)
+        found = yield from self._along(net, course, early)
         spoilt = not last_phase.is_sound(found, best)
         if spoilt and self._may_go_on and not early and not self._pressed:
-            evenness = tuning.along_evener
-            found = yield from self._along(best, evenness, early, near)
+            course = AlongCourse(self._tuning.along_evener, course.near)
+            found = yield from self._along(best, course, early)
         best = self._kept(found, best)
-        limit = self._in_reach(best) if near and self.aim.within is None else self.aim.within
+        near = course.near and self.aim.within is None
+        limit = self._in_reach(best) if near else self.aim.within
         free = self._may_go_on and not self._pressed
         if free and limit is not None and self._far(best) > limit:
             self._pressed = True
-            found = yield from self._along(best, evenness, early, near, limit)
+            course = course._replace(sharp=False)
+            found = yield from self._along(best, course, early, limit)
             best = self._kept(found, best)
         return best
 
     def _along(
-        self,
-        net: Candidate,
-        evenness: float,
-        early: bool,
-        near: bool,
-        limit: float | None = None,
+        self, net: Candidate, course: AlongCourse, early: bool, limit: float | None = None
     ) -> Whole:
-        """One attempt along the nets: what it reached."""
-        asks = self.original, self.aim.surface, evenness, limit, near, early
+        """One attempt along the nets, and one more for the largest distance: what they reached."""
+        tuning, near = self._tuning, course.near
+        asks = self.original, self.aim.surface, course.evenness, limit, near, early
         wishes = last_phase.wishes_of(net.problem, *asks)
         nearest = NearestNet(net.problem, net.x, wishes, self._backend)
         # Nobody asked for what is tried beside a surface, so that it may not take long.
         asked = limit is not None and self.aim.within is not None
         before = len(self._history) if asked or not self._pressed else 0
-        most = last_phase.most_steps(self._tuning, before, asked or self.aim.nearest, early)
+        most = last_phase.most_steps(tuning, before, asked or self.aim.nearest, early)
 
         def reached() -> Candidate:
             return judge(net.problem, nearest.exact(), self._tolerance, self.original)
 
-        return self._ended((yield Along(nearest, reached, most)))
+        if course.sharp:
+            nearest.worth = tuning.peak_begin
+        attempt = Along(nearest, reached, most)
+        found = self._ended((yield attempt))
+        if not course.sharp or not self._may_go_on:
+            return found
+        nearest.sharpen()
+        sharp = self._ended((yield Along(nearest, reached, most - attempt.taken)))
+        if last_phase.is_sound(sharp, found) and self._far(sharp) < self._far(found):
+            return sharp
+        plain = course._replace(sharp=False)
+        return (yield from self._along(found, plain, early)) if self._may_go_on else found
 
     def _ended(self, ended: Ended) -> Candidate:
         self._stopped = ended.stopped
@@ -245,18 +255,19 @@ class WholePlan:
         """Whether there are handles."""
         return pull_of(self.original) is not None
 
-    def _is_near(self, net: Candidate) -> bool:
-        """Whether a net nearly is on its surface already, and need not be made for it."""
-        rough = self.aim.nearest or self.aim.early
-        return not rough and self._in_reach(net) is not None
-
     def _in_reach(self, net: Candidate) -> float | None:
         """How near a net may come that is nearly on its surface already."""
-        return last_phase.in_reach(net, self._ground, self.original)
+        if self._ground is None:
+            return None
+        return limit_in_reach(self._far(net), self.original.mesh, self._tuning)
 
     def _far(self, net: Candidate) -> float:
         """What the last phase lowers: the largest distance of handles, else from the surface."""
-        return last_phase.far_off(net, self._ground)
+        for known, far in self._distances:
+            if known is net:
+                return far
+        self._distances = [*self._distances[-1:], (net, last_phase.far_off(net, self._ground))]
+        return self._distances[-1][1]
 
     @property
     def _ground(self) -> TriangleSurface | None:

@@ -197,6 +197,12 @@ CASES = {
     "near surface": Case(
         following(lambda m: NearSurface(ALL, SHEET, np.zeros((COUNT, 3)))), SQUARES, [], False
     ),
+    "near surface, peaked": Case(
+        following(lambda m: NearSurface(ALL, SHEET, np.zeros((COUNT, 3)), peak=0.1)),
+        SQUARES,
+        [],
+        False,
+    ),
     "beyond surface": Case(
         following(lambda m: BeyondSurface(m.faces, SHEET, 0.05)), SQUARES, [], False
     ),
