@@ -287,5 +287,6 @@ class Repetition:
         if not (found.valid and whole and found.kept >= tuning.still_roomy) or rough:
             return False
         far = [float(off_surface(net.mesh, self._surface).max()) for net in (before, found)]
-        size = float(np.linalg.norm(np.ptp(before.mesh.vertices, axis=0)))
+        # As reports say it: the net from which it sets out may have drawn back already.
+        size = float(np.linalg.norm(np.ptp(self._original.mesh.vertices, axis=0)))
         return far[1] <= max(self._within or tuning.far_off * size, far[0])

@@ -322,7 +322,12 @@ def test_few_kinds_are_told_and_too_many_end_with_code_1(tmp_path, wave, capsys)
     out = str(tmp_path / "few.obj")
     many = ["--repeat", "edges", "--kinds", "2", "--alike", "1e-6", "--max-steps", "30"]
     assert main(["optimise", str(wave), "-o", out, *many]) == 1
-    assert "were the fewest that were found where 2 are allowed; try:" in capsys.readouterr().err
+    refused = capsys.readouterr().err
+    assert "were the fewest that were found where 2 are allowed; try:" in refused
+    assert refused.rstrip().endswith("or --net planar, which has more freedom")
+    # A planar net has that freedom already.
+    assert main(["optimise", str(wave), "-o", out, "--net", "planar", *many]) == 1
+    assert capsys.readouterr().err.rstrip().endswith("more kinds, or a larger --within")
     for word, value in (("--kinds", "0"), ("--kinds", "57"), ("--alike", "-1")):
         assert main(["optimise", str(wave), "-o", out, "--repeat", "panels", word, value]) == 2
         refusal = capsys.readouterr().err.splitlines()[-1]

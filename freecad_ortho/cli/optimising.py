@@ -87,7 +87,9 @@ def tell(outcome: Outcome, path: str, read: api.ReadMesh) -> None:
     if not report.is_within:
         sys.stderr.write(_beyond(report, unit))
     if report.repetition is not None:
-        (stream if report.is_repeated else sys.stderr).write(_kinds(report.repetition, unit))
+        (stream if report.is_repeated else sys.stderr).write(
+            _kinds(report, report.repetition, unit)
+        )
     if report.far:
         sizes = (report.size_start, report.size)
         before, after = (" x ".join(map(_digits, size)) for size in sizes)
@@ -134,7 +136,7 @@ def _beyond(report: Report, unit: str) -> str:
     )
 
 
-def _kinds(repeated: Repeated, unit: str) -> str:
+def _kinds(report: Report, repeated: Repeated, unit: str) -> str:
     """How many kinds of parts there are, and what to do where these are too many."""
     degrees = repeated.of == NODES
     factor, of = (1.0, "degrees") if degrees else (millimetres_per(unit), "mm")
@@ -150,10 +152,12 @@ def _kinds(repeated: Repeated, unit: str) -> str:
     if repeated.is_reached:
         return words
     flag = "--alike-angle" if degrees else "--alike"
+    remedies = [f"a larger {flag}", "more kinds", "a larger --within"]
+    if report.net != "planar":
+        remedies.append("--net planar, which has more freedom")
     return (
         f"{words}kinds: {repeated.kinds} were the fewest that were found where {repeated.asked} "
-        f"are allowed; try: a larger {flag}, more kinds, a larger --within, or --net planar, which "
-        "has more freedom\n"
+        f"are allowed; try: {', '.join(remedies[:-1])}, or {remedies[-1]}\n"
     )
 
 
