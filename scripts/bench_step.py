@@ -2,8 +2,10 @@
 
 Run with the project's Python:
     python scripts/bench_step.py [--parts N ...] [--write]
+    python scripts/bench_step.py --content
 
-``--write`` puts the table into docs/fabrication.md. FreeCAD's console program is that of
+``--write`` puts the table into docs/fabrication.md, ``--content`` says what takes the place in a
+file of twisted lamellas with 21 crossings. FreeCAD's console program is that of
 scripts/setup.sh (ORTHO_FREECADCMD). Seconds are those of the processor.
 """
 
@@ -12,8 +14,11 @@ from __future__ import annotations
 import argparse
 import json
 import os
+import re
 import subprocess
+import sys
 import tempfile
+from collections import Counter
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -21,10 +26,13 @@ from typing import Any
 
 import bench
 
-from freecad_ortho.fabrication import Beams, Panels, build
+sys.path.insert(0, str(bench.ROOT))
+
+from freecad_ortho.fabrication import Beams, Lamellas, Panels, build
 from freecad_ortho.fabrication.part import Part
 from freecad_ortho.fabrication.step import write_step
 from solver import optimise
+from tests.meshes import helicoid
 
 DOCUMENT = bench.ROOT / "docs" / "fabrication.md"
 SIZES = (1338, 10208)
@@ -36,6 +44,35 @@ HEAD = (
     "| parts | `--step` | size | opens in | with *Use LinkGroup* |\n"
     "| ---: | --- | ---: | ---: | ---: |"
 )
+
+
+# What the entities of a file are for, by their names; a direction is mostly that of a line.
+CONTENT = {
+    "faces, loops, edges, corners": (
+        *("ADVANCED_FACE", "FACE_BOUND", "EDGE_LOOP", "ORIENTED_EDGE"),
+        *("EDGE_CURVE", "VERTEX_POINT", "CLOSED_SHELL"),
+    ),
+    "lines and directions": ("LINE", "VECTOR", "DIRECTION"),
+    "points": ("CARTESIAN_POINT",),
+    "surfaces": ("B_SPLINE_SURFACE_WITH_KNOTS", "PLANE", "AXIS2_PLACEMENT_3D"),
+}
+
+
+def content() -> str:
+    """What takes the place in a file of two twisted lamellas that 21 others cross."""
+    net = helicoid(rows=21, columns=21).scaled(1000.0)
+    parts = build(net, [Lamellas(60, 4, strip="twisted")]).parts
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "lamellas.step"
+        write_step(path, [part for part in parts if part.name in ("L-U010", "L-V010")])
+        text = path.read_bytes()
+    sizes: Counter[str] = Counter()
+    for found in re.finditer(rb"#\d+=\(?(\w+)[^\n]*\n", text):
+        sizes[found[1].decode()] += len(found[0])
+    rows = [f"{len(text) / 2000:.0f} kB a lamella"]
+    for what, names in CONTENT.items():
+        rows.append(f"{what}: {100 * sum(sizes[name] for name in names) / len(text):.0f} %")
+    return "\n".join(rows)
 
 
 def all_parts() -> Sequence[Part]:
@@ -88,7 +125,11 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--parts", type=int, nargs="+", default=SIZES, help="how many parts")
     parser.add_argument("--write", action="store_true", help="update docs/fabrication.md")
+    parser.add_argument("--content", action="store_true", help="what takes the place in a file")
     options = parser.parse_args()
+    if options.content:
+        print(content())
+        return
     parts = all_parts()
     lines = [HEAD]
     with tempfile.TemporaryDirectory() as folder:
