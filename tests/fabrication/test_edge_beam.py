@@ -14,8 +14,8 @@ from freecad_ortho.fabrication.profiles import profile
 from freecad_ortho.fabrication.systems import EdgeBeam, Nodes, systems_of
 from solver.errors import InputError
 from solver.mesh.quadmesh import QuadMesh
-from tests.fabrication.conftest import grid_faces
-from tests.fabrication.test_trimming import circle, on_roof
+from tests.fabrication.conftest import grid_faces, on_roof
+from tests.fabrication.test_trimming import circle
 
 SECTIONS = {
     "plate": EdgeBeam("plate"),
