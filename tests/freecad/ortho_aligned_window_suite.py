@@ -8,51 +8,16 @@ import FreeCAD
 import FreeCADGui
 import numpy as np
 import ortho_suite_tools as tools
-from ortho_aligned_tools import dome, roof, turned
+from ortho_aligned_cases import LONG, AlignedCase
+from ortho_aligned_tools import dome, turned
 from ortho_mouse_tools import Hand
-from ortho_suite_cases import PanelCase, WindowCase
 from ortho_suite_tools import press, wait
 from pivy import coin
 from PySide import QtCore, QtGui
 
-from freecad_ortho import api, commands
+from freecad_ortho import api
 from freecad_ortho.objects import making
-from freecad_ortho.panels import aligned_panel
-from freecad_ortho.sources import aligning
 from solver.errors import OrthoError
-
-# Seconds that a net may take on a busy machine.
-LONG = 120
-
-
-class AlignedCase(PanelCase):
-    def setUp(self):
-        super().setUp()
-        self.watch_panel(aligned_panel, "AlignedPanel")
-        self.document = FreeCAD.newDocument("Aligned")
-        self.sheet = self.document.addObject("Part::Feature", "Sheet")
-        self.sheet.Shape = roof()
-        self.document.recompute()
-        wait()
-        # What another test made is not at hand.
-        making._made.clear()
-        self.made = 0
-        make = aligning.aligned
-
-        def counted(*arguments, **options):
-            self.made += 1
-            return make(*arguments, **options)
-
-        self.replace(aligning, "aligned", counted)
-
-    def opened_on(self, *names):
-        FreeCADGui.Selection.clearSelection()
-        for name in names:
-            FreeCADGui.Selection.addSelection(self.sheet, name)
-        return self.opened("AlignedNet")
-
-    def until_made(self, panel):
-        self.assertTrue(wait(lambda: panel.made is not None, LONG), panel.message.text())
 
 
 class TestPreview(AlignedCase):
@@ -421,44 +386,3 @@ class TestField(AlignedCase):
         FreeCADGui.activeView().saveImage(path, 900, 600, "White")
         image = QtGui.QImage(path).convertToFormat(QtGui.QImage.Format_RGB888)
         return np.frombuffer(bytes(image.constBits()), np.uint8).reshape(600, 900, 3)
-
-
-class TestAgain(WindowCase):
-    def test_outdated_nets_are_optimised_by_one_command(self):
-        document = FreeCAD.newDocument("Again")
-        self.assertFalse(FreeCADGui.isCommandActive("Ortho_OptimiseAgain"))
-        source = api.add_primitive("cylinder", sampling=(5, 4), document=document)
-        first = api.change_net(source, "subdivide")
-        api.optimise_net(first, net="orthogonal")
-        second = api.change_net(first, "transform", move=("9 m", 0, 0))
-        api.optimise_net(second, net="orthogonal")
-        beams = api.add_beams(second)
-        self.assertFalse(FreeCADGui.isCommandActive("Ortho_OptimiseAgain"))
-        source.Radius = 2 * source.Radius.Value
-        document.recompute()
-        volume, steps = beams.Shape.Volume, document.UndoCount
-        FreeCADGui.runCommand("Ortho_OptimiseAgain")
-        done = wait(lambda: not (first.Outdated or second.Outdated) and self.closed(), LONG)
-        self.assertTrue(done, self.errors)
-        self.assertEqual(document.UndoCount, steps + 2)
-        self.assertEqual(sum("optimise_net(" in line for line in self.lines), 2)
-        self.assertNotEqual(beams.Shape.Volume, volume)
-        self.assertFalse(FreeCADGui.isCommandActive("Ortho_OptimiseAgain"))
-        self.assertEqual(self.errors, [])
-
-    def closed(self):
-        wait(seconds=0.1)
-        return not FreeCADGui.Control.activeDialog()
-
-    def test_numbers_of_before_are_said(self):
-        document = FreeCAD.newDocument("Again")
-        source = api.add_primitive("cylinder", sampling=(5, 4), document=document)
-        net = api.change_net(source, "subdivide")
-        api.optimise_net(net, net="orthogonal", fix=[3])
-        source.SamplingU = 6
-        document.recompute()
-        FreeCADGui.Selection.addSelection(net)
-        self.assertIn("Ortho_OptimiseAgain", commands.for_selection())
-        FreeCADGui.runCommand("Ortho_OptimiseAgain")
-        self.assertIn("choose them anew in Optimise", self.errors.pop())
-        self.assertFalse(FreeCADGui.Control.activeDialog())

@@ -7,10 +7,12 @@ import FreeCADGui
 import numpy as np
 import ortho_suite_tools as tools
 from ortho_suite_cases import WindowCase
-from ortho_suite_tools import press, wait
+from ortho_suite_tools import press, vertices, wait
+from ortho_workbench_tools import WorkbenchCase
 from PySide import QtGui
 
 from freecad_ortho import api, convert
+from freecad_ortho.commands import open_file
 from freecad_ortho.objects import constraints
 from freecad_ortho.objects.net import colour_field
 from freecad_ortho.panels import check_panel, display_panel
@@ -313,3 +315,56 @@ class TestPages(AnalyseCase):
         found = [(box.width(), box.height(), box.center().x(), box.center().y()) for box in boxes]
         off = np.abs(np.array(found) / expected - 1).max(axis=1)
         self.assertLess(off.min(), 0.01)
+
+
+class TestNetView(WorkbenchCase):
+    def test_colour_maps_and_modes_change_the_picture(self):
+        net = self.imported(tools.wavy_mesh())
+        seen = []
+        maps = net.getEnumerationsOfProperty("ColourMap")
+        maps.remove("Gap to reference")
+        # The same as one of the others.
+        maps.remove("Target")
+        for colour_map in maps:
+            net.ColourMap = colour_map
+            seen.append(self.picture(colour_map).tobytes())
+        net.ViewObject.DisplayMode = "Wireframe"
+        seen.append(self.picture("wireframe").tobytes())
+        self.assertEqual(len(set(seen)), len(maps) + 1)
+
+    def test_range_of_a_colour_map_can_be_set(self):
+        net = self.imported(tools.wavy_mesh())
+        net.ColourMap = "Edge length"
+        automatic = self.picture("automatic").tobytes()
+        net.ViewObject.AutomaticRange = False
+        net.ViewObject.LowestValue, net.ViewObject.HighestValue = 0.0, 9000.0
+        self.assertNotEqual(self.picture("set").tobytes(), automatic)
+
+    def test_fit_all_and_picking_find_it(self):
+        net = self.imported(tools.wavy_mesh())
+        view = FreeCADGui.ActiveDocument.ActiveView
+        view.viewTop()
+        view.fitAll()
+        wait()
+        width, height = view.getSize()
+        found = view.getObjectInfo((width // 2, height // 2))
+        self.assertEqual(found["Object"], net.Name)
+
+    def test_file_open_looks_at_it_from_the_front_right_and_above(self):
+        document = open_file.open(tools.wavy_mesh())
+        wait()
+        view = FreeCADGui.ActiveDocument.ActiveView
+        x, y, z = view.getViewDirection()
+        self.assertLess(max(x, z), -0.2)
+        self.assertGreater(y, 0.2)
+        hand_size = np.array(view.getSize())
+        ask = getattr(view, "getPointOnViewport", None) or view.getPointOnScreen
+        pixels = np.array([ask(*map(float, point)) for point in vertices(document.Net)])
+        self.assertTrue(((pixels > 0) & (pixels < hand_size)).all())
+        self.assertGreater(np.ptp(pixels, axis=0).max(), 0.4 * hand_size.min())
+
+    def test_structures_open_in_their_colours(self):
+        net = self.imported(tools.wavy_mesh())
+        beams = api.add_beams(net)
+        self.assertNotEqual(beams.ViewObject.ShapeColor[:3], (0.8, 0.8, 0.8))
+        self.assertFalse(net.ViewObject.Visibility)

@@ -10,7 +10,8 @@ from collections import Counter
 
 import FreeCAD
 import ortho_suite_tools as tools
-from ortho_random_actions import ACTIONS, Sequence, assert_same, snapshot
+from ortho_document_state import assert_same, snapshot
+from ortho_random_actions import ACTIONS, Sequence
 
 from freecad_ortho import documents
 

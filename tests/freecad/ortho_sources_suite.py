@@ -1,8 +1,6 @@
 """Sources of nets in documents without a window: what they make, follow, undo and refuse."""
 
 import math
-import unittest
-from importlib.util import find_spec
 
 import FreeCAD
 import numpy as np
@@ -11,11 +9,10 @@ import Part
 from ortho_suite_cases import DocumentCase
 
 from freecad_ortho import api, convert
-from freecad_ortho.objects import cad_faces, source_net
+from freecad_ortho.objects import source_net
 from freecad_ortho.sources import GROUPS, SOURCES
 from solver.analysis import measures
 from solver.errors import InputError
-from solver.mesh.remesh import LIBRARY
 from solver.multinet import multi_net_residual
 
 
@@ -357,40 +354,6 @@ class TestChanges(SourceCase):
         line = tools.vertices(net)
         apart = np.linalg.norm(line[None] - points[:, None], axis=2).min(axis=1)
         self.assertLess(apart.max(), 1000.0)
-
-
-class TestTriangles(SourceCase):
-    def test_mesh_objects_and_files_are_read_alike(self):
-        import Mesh
-
-        shape = Part.makeCylinder(1000, 3000)
-        mesh = self.document.addObject("Mesh::Feature", "Mesh")
-        mesh.Mesh = Mesh.Mesh(shape.tessellate(5.0))
-        path = str(tools.SCRATCH / "tube.stl")
-        mesh.Mesh.write(path)
-        here, there = cad_faces.triangles_of(mesh), cad_faces.triangles_of(path)
-        self.assertEqual(here[1].shape, there[1].shape)
-        metres = cad_faces.triangles_of(path, "m")
-        np.testing.assert_allclose(metres[0], 1000 * there[0])
-        with self.assertRaisesRegex(InputError, "holds no triangles"):
-            api.quads_from_mesh(self.document.addObject("App::FeaturePython", "Nothing"), faces=100)
-
-    @unittest.skipIf(find_spec(LIBRARY) is None, f"{LIBRARY} is not installed")
-    def test_quads_from_a_mesh_object(self):
-        import Mesh
-
-        shape = Part.makeCylinder(1000, 3000, FreeCAD.Vector(), FreeCAD.Vector(0, 0, 1), 180)
-        mesh = self.document.addObject("Mesh::Feature", "Half")
-        mesh.Mesh = Mesh.Mesh(shape.Face1.tessellate(2.0))
-        steps = self.document.UndoCount
-        net = api.quads_from_mesh(mesh, edge="300 mm")
-        quads = convert.quad_mesh(net)
-        self.assertLess(abs(quads.mean_edge / 300 - 1), 0.3)
-        radii = np.hypot(*tools.vertices(net)[:, :2].T)
-        self.assertLess(np.abs(radii - 1000).max(), 3.0)
-        self.assertEqual(self.document.UndoCount, steps + 1)
-        self.document.undo()
-        self.assertEqual(self.document.Objects, [mesh])
 
 
 class TestDocument(SourceCase):

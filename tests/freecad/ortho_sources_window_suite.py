@@ -9,12 +9,13 @@ import FreeCADGui
 import numpy as np
 import ortho_suite_tools as tools
 import Part
+from ortho_aligned_cases import LONG
 from ortho_mouse_tools import Hand
-from ortho_suite_cases import PanelCase
+from ortho_suite_cases import PanelCase, WindowCase
 from ortho_suite_tools import press, wait
 from PySide import QtGui
 
-from freecad_ortho import api, convert
+from freecad_ortho import api, commands, convert
 from freecad_ortho.commands import sources
 from freecad_ortho.commands.groups import ChangeNet, NewNet
 from freecad_ortho.panels import aligned_panel, form_panel, multi_net_panel, source_panel
@@ -287,3 +288,44 @@ class TestPanels(SourceWindowCase):
         sail = self.document.Objects[-1]
         self.assertEqual(sail.Supports, "0,4,20,24")
         self.assertAlmostEqual(tools.vertices(sail)[12, 2], 1000.0, delta=1e-6)
+
+
+class TestAgain(WindowCase):
+    def test_outdated_nets_are_optimised_by_one_command(self):
+        document = FreeCAD.newDocument("Again")
+        self.assertFalse(FreeCADGui.isCommandActive("Ortho_OptimiseAgain"))
+        source = api.add_primitive("cylinder", sampling=(5, 4), document=document)
+        first = api.change_net(source, "subdivide")
+        api.optimise_net(first, net="orthogonal")
+        second = api.change_net(first, "transform", move=("9 m", 0, 0))
+        api.optimise_net(second, net="orthogonal")
+        beams = api.add_beams(second)
+        self.assertFalse(FreeCADGui.isCommandActive("Ortho_OptimiseAgain"))
+        source.Radius = 2 * source.Radius.Value
+        document.recompute()
+        volume, steps = beams.Shape.Volume, document.UndoCount
+        FreeCADGui.runCommand("Ortho_OptimiseAgain")
+        done = wait(lambda: not (first.Outdated or second.Outdated) and self.closed(), LONG)
+        self.assertTrue(done, self.errors)
+        self.assertEqual(document.UndoCount, steps + 2)
+        self.assertEqual(sum("optimise_net(" in line for line in self.lines), 2)
+        self.assertNotEqual(beams.Shape.Volume, volume)
+        self.assertFalse(FreeCADGui.isCommandActive("Ortho_OptimiseAgain"))
+        self.assertEqual(self.errors, [])
+
+    def closed(self):
+        wait(seconds=0.1)
+        return not FreeCADGui.Control.activeDialog()
+
+    def test_numbers_of_before_are_said(self):
+        document = FreeCAD.newDocument("Again")
+        source = api.add_primitive("cylinder", sampling=(5, 4), document=document)
+        net = api.change_net(source, "subdivide")
+        api.optimise_net(net, net="orthogonal", fix=[3])
+        source.SamplingU = 6
+        document.recompute()
+        FreeCADGui.Selection.addSelection(net)
+        self.assertIn("Ortho_OptimiseAgain", commands.for_selection())
+        FreeCADGui.runCommand("Ortho_OptimiseAgain")
+        self.assertIn("choose them anew in Optimise", self.errors.pop())
+        self.assertFalse(FreeCADGui.Control.activeDialog())

@@ -2,26 +2,17 @@
 
 import json
 import math
-import time
-from unittest import mock
 
 import FreeCAD
 import numpy as np
 import ortho_suite_tools as tools
-from ortho_suite_cases import DocumentCase
+from ortho_suite_cases import StructureCase
 
 from freecad_ortho import api
 from freecad_ortho.fabrication import SYSTEMS
-from freecad_ortho.objects import flat_patterns, outdated, structure
+from freecad_ortho.objects import structure
 from freecad_ortho.objects.system_properties import options_of, values
 from solver.errors import InputError
-
-
-class StructureCase(DocumentCase):
-    def setUp(self):
-        super().setUp()
-        self.net = api.import_net(tools.wavy_mesh(), self.document)
-        api.optimise_net(self.net)
 
 
 class TestSettings(StructureCase):
@@ -284,110 +275,6 @@ class TestUpdating(StructureCase):
         self.assertNotIn("Touched", beams.State)
         self.document.undo()
         self.assertEqual(beams.Shape.Volume, before)
-
-
-class TestLongOnes(StructureCase):
-    """Shapes that take longer than the user allows wait; here every shape does."""
-
-    def setUp(self):
-        super().setUp()
-        self.beams = api.add_beams(self.net)
-        self.panels = api.add_panels(self.net, beams=self.beams)
-        self.flat = api.add_flat_patterns(self.panels)
-        self.at_once(0.0)
-
-    def at_once(self, seconds):
-        tools.follow_at_once(self, seconds)
-
-    def shapes(self):
-        built = (self.beams, self.panels, self.flat)
-        return [(item.Shape.Volume, item.Shape.Length) for item in built]
-
-    def lifted(self):
-        """Drag the middle of the net, which changes everything that stands on it."""
-        x, y, z = self.net.Vertices[17]
-        api.drag_net(self.net, {17: (x, y, z + 300)})
-
-    def waiting(self):
-        return [item.Name for item in outdated.waiting(self.document)]
-
-    def test_a_drag_waits_for_none_of_them(self):
-        before, steps = self.shapes(), self.document.UndoCount
-        with (
-            mock.patch.object(structure, "rebuild", side_effect=AssertionError),
-            mock.patch.object(flat_patterns, "rebuild", side_effect=AssertionError),
-        ):
-            self.lifted()
-            self.lifted()
-        self.assertEqual(self.shapes(), before)
-        self.assertEqual(self.waiting(), ["Beams", "Panels", "FlatPatterns"])
-        for item in (self.beams, self.panels, self.flat):
-            self.assertIn("Touched", item.State)
-        self.assertEqual(len(api.update_structures(self.document)), 3)
-        self.assertEqual(self.waiting(), [])
-        for shown, old in zip(self.shapes(), before, strict=True):
-            self.assertNotEqual(shown, old)
-        self.assertEqual(self.document.UndoCount, steps + 3)
-        waited = self.shapes()
-        self.at_once(1000.0)
-        for item in (self.beams, self.panels, self.flat):
-            item.touch()
-        self.document.recompute()
-        self.assertEqual(self.shapes(), waited)
-
-    def test_quick_ones_follow_at_once(self):
-        self.at_once(1000.0)
-        before = self.shapes()
-        self.lifted()
-        self.assertEqual(self.waiting(), [])
-        for shown, old in zip(self.shapes(), before, strict=True):
-            self.assertNotEqual(shown, old)
-
-    def test_undo_takes_the_mark_back(self):
-        before = self.shapes()
-        self.lifted()
-        self.document.undo()
-        self.document.recompute()
-        self.assertEqual((self.waiting(), self.shapes()), ([], before))
-        self.document.redo()
-        self.assertEqual(self.waiting(), ["Beams", "Panels", "FlatPatterns"])
-
-    def test_touched_is_not_changed(self):
-        self.beams.touch()
-        self.document.recompute()
-        self.assertEqual(self.waiting(), [])
-
-    def test_a_setting_that_cannot_be_used_is_said_at_once(self):
-        self.beams.Thickness = 0
-        self.document.recompute()
-        self.assertIn("thickness", self.beams.getStatusString())
-
-    def test_what_stands_on_one_that_waits_waits_with_it(self):
-        self.at_once(1000.0)
-        self.beams.AutomaticUpdate = False
-        self.lifted()
-        self.assertEqual(self.waiting(), ["Beams", "Panels", "FlatPatterns"])
-
-    def test_a_document_that_was_just_opened_does_not_wait_either(self):
-        self.lifted()
-        document = self.reopened("long.FCStd")
-        self.assertEqual(len(outdated.waiting(document)), 3)
-        self.assertIn("Touched", document.Beams.State)
-        # Twelve edges a beam say what is to be expected before it was ever built here.
-        edges = len(document.Beams.Shape.Edges)
-        self.at_once(1e-3 * edges)
-        document.Beams.Thickness = 13
-        document.recompute()
-        self.assertFalse(document.Beams.Outdated)
-        self.assertGreater(document.Beams.Proxy.seconds, 0)
-
-    def test_building_is_timed(self):
-        self.at_once(1000.0)
-        start = time.perf_counter()
-        self.beams.Thickness = 14
-        self.document.recompute()
-        self.assertLess(0.0, self.beams.Proxy.seconds)
-        self.assertLess(self.beams.Proxy.seconds, time.perf_counter() - start)
 
 
 class TestStock(StructureCase):

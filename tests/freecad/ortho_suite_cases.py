@@ -49,6 +49,17 @@ class DocumentCase(unittest.TestCase):
         return self.document
 
 
+class StructureCase(DocumentCase):
+    """Works on an exact net in a new document."""
+
+    def setUp(self):
+        from freecad_ortho import api
+
+        super().setUp()
+        self.net = self.imported()
+        api.optimise_net(self.net)
+
+
 class WindowCase(unittest.TestCase):
     """Works in the workbench and keeps what it records and says.
 

@@ -10,50 +10,16 @@ import FreeCADGui
 import numpy as np
 import ortho_suite_tools as tools
 from ortho_panel_tools import form, scroll_area, width
-from ortho_suite_cases import WindowCase
 from ortho_suite_tools import press, vertices, wait
+from ortho_workbench_tools import WorkbenchCase
 from PySide import QtCore, QtGui
 
 from examples.mixed_faces import honeycomb
 from freecad_ortho import api
-from freecad_ortho.commands import open_file
-from freecad_ortho.panels import optimise_panel
 from freecad_ortho.window import dialogs
 from solver import write_mesh
 
 NEEDS_NET = ("Ortho_Optimise", "Ortho_EditNet", "Ortho_Beams", "Ortho_Panels")
-
-
-class WorkbenchCase(WindowCase):
-    def setUp(self):
-        super().setUp()
-        self.watch_panel(optimise_panel, "OptimisePanel")
-
-    def imported(self, path):
-        with mock.patch.object(dialogs, "ask_mesh_file", lambda: path):
-            FreeCADGui.runCommand("Ortho_ImportNet")
-        wait()
-        return FreeCAD.ActiveDocument.Net
-
-    def optimised(self, seconds=60):
-        FreeCADGui.runCommand("Ortho_Optimise")
-        self.panel.start_button.click()
-        run = self.panel.run
-        self.assertTrue(wait(lambda: run.optimisation.finished, seconds))
-        press("Ok")
-
-    def picture(self, name):
-        """Save a picture of the active document; give its pixels as (height, width, 3) bytes."""
-        path = str(tools.SCRATCH / f"{name}.png")
-        api.save_picture(path, width=800, height=500)
-        image = QtGui.QImage(path).convertToFormat(QtGui.QImage.Format_RGB888)
-        rows = np.frombuffer(bytes(image.constBits()), np.uint8)
-        return rows.reshape(image.height(), -1)[:, : 3 * image.width()].reshape(500, 800, 3)
-
-    def assertNotBlank(self, pixels):
-        background = (pixels == pixels[0, 0]).all(axis=2).mean()
-        self.assertLess(background, 0.97)
-        self.assertGreater(background, 0.2)
 
 
 class TestStory(WorkbenchCase):
@@ -404,56 +370,3 @@ class TestFacesOfAnySize(WorkbenchCase):
         """Lists of the numbers before each -1."""
         words = " ".join(map(str, numbers)).split("-1")
         return [list(map(int, word.split())) for word in words if word.strip()]
-
-
-class TestNetView(WorkbenchCase):
-    def test_colour_maps_and_modes_change_the_picture(self):
-        net = self.imported(tools.wavy_mesh())
-        seen = []
-        maps = net.getEnumerationsOfProperty("ColourMap")
-        maps.remove("Gap to reference")
-        # The same as one of the others.
-        maps.remove("Target")
-        for colour_map in maps:
-            net.ColourMap = colour_map
-            seen.append(self.picture(colour_map).tobytes())
-        net.ViewObject.DisplayMode = "Wireframe"
-        seen.append(self.picture("wireframe").tobytes())
-        self.assertEqual(len(set(seen)), len(maps) + 1)
-
-    def test_range_of_a_colour_map_can_be_set(self):
-        net = self.imported(tools.wavy_mesh())
-        net.ColourMap = "Edge length"
-        automatic = self.picture("automatic").tobytes()
-        net.ViewObject.AutomaticRange = False
-        net.ViewObject.LowestValue, net.ViewObject.HighestValue = 0.0, 9000.0
-        self.assertNotEqual(self.picture("set").tobytes(), automatic)
-
-    def test_fit_all_and_picking_find_it(self):
-        net = self.imported(tools.wavy_mesh())
-        view = FreeCADGui.ActiveDocument.ActiveView
-        view.viewTop()
-        view.fitAll()
-        wait()
-        width, height = view.getSize()
-        found = view.getObjectInfo((width // 2, height // 2))
-        self.assertEqual(found["Object"], net.Name)
-
-    def test_file_open_looks_at_it_from_the_front_right_and_above(self):
-        document = open_file.open(tools.wavy_mesh())
-        wait()
-        view = FreeCADGui.ActiveDocument.ActiveView
-        x, y, z = view.getViewDirection()
-        self.assertLess(max(x, z), -0.2)
-        self.assertGreater(y, 0.2)
-        hand_size = np.array(view.getSize())
-        ask = getattr(view, "getPointOnViewport", None) or view.getPointOnScreen
-        pixels = np.array([ask(*map(float, point)) for point in vertices(document.Net)])
-        self.assertTrue(((pixels > 0) & (pixels < hand_size)).all())
-        self.assertGreater(np.ptp(pixels, axis=0).max(), 0.4 * hand_size.min())
-
-    def test_structures_open_in_their_colours(self):
-        net = self.imported(tools.wavy_mesh())
-        beams = api.add_beams(net)
-        self.assertNotEqual(beams.ViewObject.ShapeColor[:3], (0.8, 0.8, 0.8))
-        self.assertFalse(net.ViewObject.Visibility)
