@@ -147,6 +147,9 @@ def test_the_list_of_holes_is_what_the_hubs_are_drilled_by(roof):
     table = next(table for table in made.tables if table.name == "hub-holes.csv")
     rows = [dict(zip(table.columns, row, strict=True)) for row in table.rows]
     plates = {part.name: part for part in made.parts if part.kind == "end-plate"}
+    # Drilled for threads, which a drawing alone does not show.
+    assert {part.note for part in plates.values()} == {"2 threads M16 through, drilled 14 mm"}
+    assert {hole.diameter for part in plates.values() for hole in part.pattern.holes} == {14.0}
     for hub in (part for part in made.parts if part.kind == "node"):
         own = [row for row in rows if row["hub"] == hub.name]
         assert len(own) == len(hub.body.drills)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from freecad_ortho.fabrication.bolt_strength import COLUMNS, Clamped
@@ -166,7 +168,7 @@ class HubMaking:
         size = np.array([sizes.width, float(self.seats.high[place]) - low])
         pattern = _pattern(name, self.nodes[vertex], size, holes)
         origin, frame = self.seats.place(edge, end, sizes.width)
-        return plate_part(
+        plate = plate_part(
             self.site,
             name,
             "end-plate",
@@ -178,6 +180,9 @@ class HubMaking:
             family=self.families[edge],
             line=self.lines[edge],
         )
+        # A hole drilled for a thread looks like any other in a drawing.
+        threads = counted(len(heights), f"thread {sizes.bolt.name}", f"threads {sizes.bolt.name}")
+        return replace(plate, note=f"{threads} through, drilled {sizes.bolt.drill:g} mm")
 
     def _doubts(self, star: Star, arm: int, beam: str) -> list[str]:
         """What keeps the bolts of a beam from being put in and tightened."""
