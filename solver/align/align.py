@@ -12,10 +12,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
+from scipy.spatial import cKDTree
 
 from solver.align.cells import Quads, quads
 from solver.align.crosses import Crosses, Singular
-from solver.align.cut import cut_open
+from solver.align.cut import Cut, cut_open
 from solver.align.features import Features
 from solver.align.field import DirectionField, GuidingField, smooth_field
 from solver.align.given import Wanted, given_field
@@ -36,7 +37,7 @@ from solver.align.remarks import (
     say_strokes,
     short_edges,
 )
-from solver.align.seamless import FIRM, seamless_map
+from solver.align.seamless import FIRM, Map, seamless_map
 from solver.align.seams import seams
 from solver.align.symmetry import (
     Mirror,
@@ -63,6 +64,8 @@ _FEWEST, _MOST = 6, 100_000
 # Powers of two that a grain of coordinates is smaller than the surface.
 _GRAINS = 32
 _REMEDY = "give a shorter edge, or smooth the surface there"
+# In edges, how far apart vertices are that lie in one place.
+_TORN = 1e-3
 # How much curvature says about directions, less where lines that follow it would cross.
 _CALM = (1.0, 0.1, 1e-2, 1e-3)
 
@@ -346,11 +349,12 @@ def _trials(asked: _Asked, waiting: Callable[[str], object]) -> Iterator[_Trial]
             waiting("quads")
             found = quads(mesh, cut, made, work.covered)
             close = (calm, firm) == (_CALM[0], FIRM[0])
-            crossing = _crossing(found)
-            if crossing is not None and work.covered > work.inner:
+            crossing, torn = _crossing(found), _torn(mesh, cut, made, found, min(edges))
+            if work.covered > work.inner and (crossing is not None or torn):
                 # Beyond the border lines may do so: the surface is covered without that strip.
-                found = quads(mesh, cut, made, work.inner)
-                crossing = _crossing(found)
+                less = quads(mesh, cut, made, work.inner)
+                if crossing is not None or _crossing(less) is None:
+                    found, crossing = less, _crossing(less)
             if crossing is not None:
                 refusal = f"map: lines run into each other near {at(crossing)}; {_REMEDY}"
                 yield _Trial(field, close, refusal=refusal)
@@ -373,6 +377,11 @@ def _trials(asked: _Asked, waiting: Callable[[str], object]) -> Iterator[_Trial]
             if bunched:
                 # Lines are drawn together by their directions: others have to be smoother.
                 break
+
+
+def _torn(mesh: TriangleMesh, cut: Cut, made: Map, found: Quads, edge: float) -> bool:
+    """Whether a net meets itself, as over an opening, where it would come apart."""
+    return bool(cKDTree(carried_on(mesh, cut, made, found)).query_pairs(_TORN * edge))
 
 
 def _crossing(found: Quads) -> FloatArray | None:

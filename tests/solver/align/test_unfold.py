@@ -1,14 +1,16 @@
-"""Irregular vertices beside the place that the lines around them turn about."""
+"""Nets that lie on themselves: round irregular vertices, and over openings."""
 
 from __future__ import annotations
 
 import numpy as np
+from scipy.spatial import cKDTree
 
 from solver import QuadMesh
+from solver.align.align import aligned
 from solver.align.triangle_mesh import TriangleMesh
 from solver.align.unfold import unfolded
 from solver.analysis.measures import flipped
-from tests.design_surfaces import cap, triangles
+from tests.design_surfaces import cap, saddle, triangles, without
 
 
 def three_fans(steps=4):
@@ -63,3 +65,11 @@ def test_regular_vertices_stay_and_so_do_nets_without_folds():
     folded = net.with_vertices(places)
     assert flipped(folded).any()
     assert np.array_equal(unfolded(folded, surface()).vertices[regular], places[regular])
+
+
+def test_a_net_does_not_meet_itself_over_an_opening():
+    points, faces = triangles(saddle)
+    open_ = without(points, faces, lambda c: np.hypot(c[:, 0] - 2.0, c[:, 1] - 1.0) < 3.0)
+    net = aligned(*open_, edge=2.0).mesh
+    assert len(net.connectivity.boundary_loops) == 2
+    assert not cKDTree(net.vertices).query_pairs(0.01)
