@@ -154,6 +154,19 @@ def test_equation_three_by_values(moving):
     )
 
 
+@pytest.mark.parametrize(
+    ("values", "words"),
+    [
+        ((-2.5, -4.0, -6.0), "lambda: expected -2 <= lambda"),
+        ((1.0, -5.5, -6.0), "mu: expected -5 <= mu <= -2, got -5.5"),
+        ((1.0, -4.0, -9.5), "nu: expected -9 <= nu <= -5, got -9.5"),
+    ],
+)
+def test_values_that_no_point_has_are_refused(values, words):
+    with pytest.raises(InputError, match=words):
+        EllipticSystem(9, 5, 2).points(values)
+
+
 def test_reflection_merges_the_seams():
     chosen = PRESETS["wave"]
     net = elliptic_net((9, 5, 2), "mu", chosen.curve, unfolded=True)

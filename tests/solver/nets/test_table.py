@@ -36,6 +36,12 @@ def test_a_net_of_ones_own_is_optimised_for_measured_and_advised(own):
     assert "flat" in [one["net"] for one in found["advice"]["nets"]]
 
 
+def test_nets_of_flat_faces_begin_along_lines_of_curvature():
+    flat = [name for name, net in NETS.items() if "planarity" in [one.name for one in net.measures]]
+    assert "planar" in flat
+    assert {NETS[name].lines for name in flat} == {"principal"}
+
+
 def test_a_name_is_given_once_and_a_net_that_has_gone_is_unknown(own):
     with pytest.raises(InputError, match="there is a net 'flat' already"):
         register(replace(own, place=1))
