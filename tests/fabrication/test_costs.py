@@ -1,5 +1,7 @@
 """What is bought and what it costs, read back by another library; several lengths and sizes."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -9,6 +11,7 @@ from freecad_ortho.fabrication.exchange.spreadsheet import write_xlsx
 from freecad_ortho.fabrication.formats import FORMATS
 from freecad_ortho.fabrication.prices import read_prices
 from freecad_ortho.fabrication.production import produce
+from freecad_ortho.fabrication.stock import stock_list
 from solver.errors import InputError
 
 needed = pytest.mark.skipif(
@@ -35,6 +38,17 @@ def production(roof, tmp_path_factory):
         prices=str(prices),
     )
     return produce(job, shop)
+
+
+@pytest.mark.parametrize(("spare", "count"), [(0.5, 1), (-0.5, 2)])
+def test_two_parts_share_a_bar_that_has_room_for_their_cuts(production, spare, count):
+    part = next(part for part in production.structure.parts if part.kind == "beam")
+    shop = Workshop()
+    needed = 2 * (part.length + shop.saw + shop.trim)
+    shop = Workshop(stock=needed + spare)
+    bars = stock_list([part, replace(part, name="B9999")], shop).bars
+    assert len(bars) == count
+    assert all(bar.used <= bar.length for bar in bars)
 
 
 @pytest.fixture(scope="module")

@@ -8,6 +8,8 @@ import pytest
 import shapely
 
 from freecad_ortho.fabrication import Beams, Lamellas, Panels, Workshop, build, write
+from freecad_ortho.fabrication.exchange.members import Member
+from freecad_ortho.fabrication.exchange.nc1_faces import upright_face
 from freecad_ortho.fabrication.material import MATERIALS
 from freecad_ortho.fabrication.site import Selection
 from freecad_ortho.fabrication.step import read_step
@@ -25,6 +27,22 @@ JOBS = {
     "round": EdgeBeam("round", width=90, wall=4),
     "plates": Beams(200, 20),
 }
+
+
+@pytest.mark.parametrize("lean", [0.5, -0.5])
+@pytest.mark.parametrize("right", [0.0, 30.0])
+def test_a_wall_leans_the_same_way_at_both_ends_of_a_trapezoid(lean, right):
+    """And the other way where both ends are parallel: seen at one, from behind at the other."""
+    box = np.array([(-50, -30), (50, -30), (50, 30), (-50, 30)], dtype=float)
+    start = np.array([[0.0, 0.0, lean]])
+    leans = []
+    for slope in (lean, -lean):
+        member = Member(box, start, np.array([[1000.0, 0.0, slope]]))
+        _, end, _, begin = upright_face("v", member, right, 8.0, (-50.0, 50.0)).bevels
+        leans.append((begin, end))
+    (begin, parallel), (_, mirrored) = leans
+    assert max(angle for angle, _ in begin) == pytest.approx(np.degrees(np.arctan(0.5)))
+    assert parallel == begin[::-1] != begin == mirrored
 
 
 @pytest.fixture(scope="module")
