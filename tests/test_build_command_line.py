@@ -241,6 +241,12 @@ def test_bad_options_are_one_line_and_leave_nothing(surface_file, tmp_path, caps
     assert not (tmp_path / "new").exists()
 
 
+def test_it_is_told_how_many_share_the_work(capsys):
+    with pytest.raises(SystemExit, match="0"):
+        main(["build", "--help"])
+    assert "--workers" in capsys.readouterr().out
+
+
 def test_a_missing_surface_and_a_file_in_the_way_are_one_line(surface_file, tmp_path, capsys):
     assert build(tmp_path / "none.step", tmp_path / "out") == 2
     assert "no such file" in capsys.readouterr().err

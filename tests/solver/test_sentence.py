@@ -3,10 +3,12 @@
 import copy
 import json
 import pickle
+from types import SimpleNamespace
 
 import pytest
 
 from solver.sentence import Measured, Sentence
+from solver.summary import _left_out
 
 LINES = (Sentence("1 vertex with {} lines", 3), Sentence("{} vertices with {} lines", 2, 5))
 
@@ -29,3 +31,10 @@ def test_is_said_in_english_and_kept_apart(said, words):
     for again in (copy.deepcopy(said), pickle.loads(pickle.dumps(said))):
         assert (again, again.pattern, again.values) == (said, said.pattern, said.values)
     assert json.loads(json.dumps([said])) == [words]
+
+
+@pytest.mark.parametrize(("count", "words"), [(1, "1 place next to"), (2, "2 places next to")])
+def test_one_place_without_right_angles_is_not_said_to_be_many(count, words):
+    (said,) = _left_out(SimpleNamespace(exempt=count))
+    assert said.startswith(words)
+    assert f" {'is' if count == 1 else 'are'} not asked for right angles" in said
