@@ -93,6 +93,20 @@ def test_defaults_are_told_in_the_unit_asked_for(kind, of_mm, of_metres):
     assert np.array(told) == pytest.approx(np.array(of_metres), rel=1e-14)
 
 
+@pytest.mark.parametrize(
+    ("option", "parts"),
+    [
+        (LENGTH, ("Edge",)),
+        (ANGLES, ("AnglesStart", "AnglesEnd")),
+        (AREA, ("TRangeStart", "TRangeEnd")),
+        (COUNTS, ("RowsFirst", "RowsSecond", "RowsThird", "RowsFourth")),
+        (WORD, ("Quadric",)),
+    ],
+)
+def test_each_number_of_an_option_has_a_property(option, parts):
+    assert option.parts == parts
+
+
 def test_only_what_was_given_counts():
     parser = argparse.ArgumentParser()
     for option in (LENGTH, ANGLES, ON):

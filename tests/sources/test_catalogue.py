@@ -107,6 +107,11 @@ def test_bad_options_get_one_line(name, options, words):
     assert "\n" not in str(caught.value)
 
 
+def test_a_profile_that_is_turned_lies_in_a_plane_with_the_axis():
+    profile = next(one for one in SOURCES["rotational"].options if one.name == "profile")
+    assert not np.array(profile.default)[:, 2].any()
+
+
 def test_no_such_source():
     with pytest.raises(InputError, match="expected catenoid"):
         source("magic")
