@@ -18,6 +18,7 @@ from freecad_ortho.fabrication import (
     materials_of,
     write,
 )
+from freecad_ortho.fabrication.material import metal_for
 from freecad_ortho.fabrication.production import produce
 from freecad_ortho.fabrication.stock import stock_list
 from solver.errors import InputError
@@ -29,6 +30,20 @@ STEEL_AND_GLASS = {"beams": MATERIALS["steel"], "panels": MATERIALS["toughened-g
 @pytest.fixture(scope="module")
 def mixed(roof):
     return build(roof, [Beams(200, 12), Panels(12, 15)], material=STEEL_AND_GLASS)
+
+
+@pytest.mark.parametrize(
+    ("name", "joined_by"),
+    [
+        ("aluminium", "aluminium"),
+        ("stainless", "stainless"),
+        ("timber", "steel"),
+        ("glass", "steel"),
+        ("glass:6/16/6", "steel"),
+    ],
+)
+def test_what_joins_is_of_metal(name, joined_by):
+    assert metal_for(material(name)).name == joined_by
 
 
 @pytest.mark.parametrize(
