@@ -9,12 +9,14 @@ import signal
 import subprocess
 import sys
 import time
+from types import SimpleNamespace
 
 import pytest
 
 from freecad_ortho import api
 from freecad_ortho.__main__ import main
 from freecad_ortho.cli import reporting
+from freecad_ortho.cli.optimising import _kinds
 from freecad_ortho.fabrication import FILES
 from tests.conftest import ROOT, wavy_grid
 
@@ -365,3 +367,12 @@ def test_a_terminal_has_a_bar_that_fills_and_goes(capsys, monkeypatch):
     *bars, last = capsys.readouterr().err.split("\r\033[K")[1:]
     assert bars == [f"[{'#' * full}{'.' * (30 - full)}] parts" for full in (0, 3, 15, 30)]
     assert last == ""
+
+
+def test_numbers_of_eight_kinds_are_told_and_that_there_are_more():
+    counts = tuple(range(20, 11, -1))
+    found = SimpleNamespace(
+        of="edges", alike=0.001, largest_miss=0.0004, counts=counts, kinds=9, kinds_before=40
+    )
+    found.is_reached = True
+    assert "of each 20, 19, 18, 17, 16, 15, 14, 13, ...;" in _kinds(found, "m")

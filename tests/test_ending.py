@@ -266,3 +266,8 @@ def test_a_command_that_writes_within_this_process_lets_ctrl_c_come_again(tmp_pa
     words = ["primitive", "rectangle", "--sampling", "3x3", "-o", str(tmp_path / "net.obj")]
     assert main(words) == 0
     assert [signal.getsignal(number) for number in endings.ENDING_SIGNALS] == before
+
+
+def test_a_command_that_ends_well_was_not_killed(capfd):
+    assert supervising.supervised(["check", "--help"]) == 0
+    assert "killed" not in capfd.readouterr().err

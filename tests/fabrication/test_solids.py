@@ -6,6 +6,8 @@ import pytest
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Common
 
 from freecad_ortho.fabrication import Beams, Panels, brep_text, build
+from freecad_ortho.fabrication.round_tube import RoundTube
+from freecad_ortho.fabrication.ruled import RuledBody
 
 SYSTEMS = ("beams", "panels", "beams+panels")
 
@@ -120,3 +122,19 @@ def _stream(text):
     from io import BytesIO
 
     return BytesIO(text.encode())
+
+
+def test_a_wedge_has_half_the_volume_of_its_box():
+    corners = np.array([(0, 0, 0), (3, 0, 0), (0, 4, 0), (0, 0, 5), (3, 0, 5), (0, 4, 5)]) + 7.0
+    sides = (0, 2, 1), (3, 4, 5), (0, 1, 4, 3), (1, 2, 5, 4), (2, 0, 3, 5)
+    assert RuledBody(corners, sides).volume == pytest.approx(3 * 4 * 5 / 2)
+
+
+def test_the_prism_around_a_tube_ends_in_the_planes_that_cut_it():
+    ends = np.array([[2.0, 1.0, 0.5], [3.0, -1.0, 2.0]])
+    ends /= np.linalg.norm(ends, axis=1)[:, None]
+    tube = RoundTube(np.array([0.0, 10.0, 20.0]), np.array([50.0, 900.0]), ends, 60.0, 4.0)
+    for ring, station, normal in zip(
+        tube.around().corners.reshape(2, -1, 3), tube.stations, ends, strict=True
+    ):
+        assert (ring - [station, 10.0, 20.0]) @ normal == pytest.approx(0.0, abs=1e-9)

@@ -6,7 +6,7 @@ import numpy as np
 
 from examples import demo_surface
 from solver.align.align import aligned
-from solver.align.guides import net_guide
+from solver.align.guides import net_guide, walked
 from solver.align.remarks import say_bunched, say_strokes, short_edges
 from solver.align.triangle_mesh import one_surface
 from solver.mesh.grid import grid_mesh
@@ -62,3 +62,9 @@ def test_stress_lines_that_run_together_are_spread_over_the_surface():
     assert abs(len(made.mesh.faces) / wanted - 1) < 1 / 3
     assert short_edges(made.mesh) > 0.5 * edge
     assert any("bunch, here" in remark for remark in made.remarks)
+
+
+def test_a_stroke_is_walked_in_equal_steps_along_unit_directions():
+    places, along = walked(np.array([[0, 0, 0], [4.0, 0, 0], [4, 0, 3]]), 2.0, 0)
+    np.testing.assert_allclose(places, [(1, 0, 0), (3, 0, 0), (4, 0, 0.75), (4, 0, 2.25)])
+    np.testing.assert_allclose(along, [(1, 0, 0)] * 2 + [(0, 0, 1)] * 2)

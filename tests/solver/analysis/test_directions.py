@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from solver.analysis.directions import directions
+from solver.analysis.directions import asymptotic_share, directions
 from solver.mesh.mirror import swapped
 from tests.conftest import demo_roof, surface_of_revolution
 from tests.meshes import grid, noisy, parameters, scherk, unduloid
@@ -24,6 +24,12 @@ def test_lines_turned_on_a_saddle(turned):
     found = directions(saddle(turned, height=0.3))
     assert np.isclose(found.twist, np.cos(np.radians(2 * turned)) ** 2, atol=2e-3)
     assert np.isclose(found.angle, 45 - turned, atol=0.5)
+
+
+@pytest.mark.parametrize(("turned", "share"), [(0.0, 1.0), (15.0, 1.0), (21.0, 0.0), (45.0, 0.0)])
+def test_lines_are_nearly_asymptotic_where_two_thirds_of_the_bending_is_twist(turned, share):
+    """cos^2 2t = 2/3 at 17.6 degrees."""
+    assert asymptotic_share(saddle(turned, height=0.3)) == pytest.approx(share)
 
 
 def test_diagonals_lie_half_a_right_angle_further():

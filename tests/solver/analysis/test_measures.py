@@ -174,3 +174,8 @@ def test_check_of_a_mesh_without_interior_vertices():
         "where": "vertex",
         "exempt": 0,
     }
+
+
+def test_a_mesh_without_stars_has_no_curvatures():
+    curvatures, normals = star_curvatures(single([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]))
+    assert (curvatures.shape, normals.shape) == ((0,), (0, 3))
