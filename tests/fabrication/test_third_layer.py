@@ -8,6 +8,7 @@ import pytest
 from freecad_ortho.fabrication import Lamellas, build
 from freecad_ortho.fabrication.clash import check_clashes
 from freecad_ortho.fabrication.site import Selection
+from freecad_ortho.fabrication.systems.lamellas.above import Above
 from solver import optimise
 from solver.errors import InputError
 from solver.mesh.diagonal_lines import diagonal_lines
@@ -180,3 +181,9 @@ def test_what_cannot_be_is_refused_in_one_line(settings, words):
 def test_a_net_without_families_of_diagonals_is_refused():
     with pytest.raises(InputError, match="take diagonals none"):
         build(rhombic_dodecahedron().scaled(2000.0), [Lamellas(diagonals="auto", **SIZES)])
+
+
+@pytest.mark.parametrize(("count", "shown"), [(5, "C0, C1, C2, C3, C4;"), (6, "C3, C4 ...;")])
+def test_the_first_five_angles_without_room_are_named(count, shown):
+    (words,) = Above([], lost=[f"C{number}" for number in range(count)]).words()
+    assert words.startswith(f"lamellas: {count} of {count} angles") and shown in words

@@ -8,7 +8,13 @@ from scipy.spatial import cKDTree
 
 from solver.align.align import aligned
 from solver.align.crosses import Singular
-from solver.align.symmetry import Mirror, coordinate_planes, mirrors_of, symmetric_surface
+from solver.align.symmetry import (
+    Mirror,
+    _doubled,
+    coordinate_planes,
+    mirrors_of,
+    symmetric_surface,
+)
 from solver.align.triangle_mesh import one_surface
 from solver.analysis import measures
 from solver.errors import InputError
@@ -161,3 +167,12 @@ def test_an_opening_on_one_side_is_no_symmetry():
     open_ = without(*triangles(dome, 31, 21), lambda c: np.abs(c[:, :2] - [5, 0]).max(axis=1) < 2)
     found = mirrors_of(one_surface(*open_), "auto", EDGE, [])
     assert [str(mirror)[:4] for mirror in found] == ["y = "]
+
+
+@pytest.mark.parametrize("size", [1e-3, 1.0, 1e5])
+def test_corners_as_good_as_in_the_plane_serve_both_sides(size):
+    mirror = Mirror(np.array([1.0, 0.0, 0.0]), np.zeros(3))
+    points = size * np.array([(1e-11, 0, 0), (0, 1, 0), (1, 0, 0)])
+    both, triangles = _doubled(points, np.array([[0, 1, 2]]), mirror)
+    assert len(both) == 4 and not both[:2, 0].any()
+    assert triangles.tolist() == [[0, 1, 2], [3, 1, 0]]
