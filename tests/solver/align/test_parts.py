@@ -11,6 +11,7 @@ from solver.align.cells import Quads, quads
 from solver.align.cut import cut_open
 from solver.align.features import Features
 from solver.align.field import DirectionField, curvature_guide, smooth_field, turns
+from solver.align.guides import _along_border
 from solver.align.jets import face_tensors, fitted
 from solver.align.reach import beyond, reaching
 from solver.align.refine import refined
@@ -243,3 +244,15 @@ def test_faces_of_a_map_that_overlap_are_found(faces, wrong):
     none = np.zeros(6, dtype=int)
     found = _crossing(Quads(np.array(faces), places, none > 0, none, np.zeros((6, 2), int), 0))
     assert (found is None) if wrong is None else np.array_equal(found, places[wrong])
+
+
+def test_directions_of_a_border_run_along_it():
+    mesh = one_surface(*triangles(plane, 11, 11))
+    larger, _ = extended(mesh, 1.0, 0.25, 1.5)
+    guide = _along_border(larger, len(mesh.triangles))
+    rows = np.flatnonzero(guide.certainty)
+    angles = guide.angles[rows, None]
+    axes = larger.axes[rows]
+    along = np.abs(np.cos(angles) * axes[:, 0] + np.sin(angles) * axes[:, 1])
+    assert len(rows) >= 40
+    np.testing.assert_allclose(np.sort(along, axis=1), [[0.0, 0.0, 1.0]] * len(rows), atol=1e-6)
