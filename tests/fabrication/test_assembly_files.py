@@ -10,7 +10,7 @@ import pytest
 
 from freecad_ortho.fabrication import Beams, Lamellas, Panels, Workshop, build, write
 from freecad_ortho.fabrication.exchange.assembly import ranks_by_ring, rings_of, sequence
-from freecad_ortho.fabrication.exchange.assembly_page import pictures_of
+from freecad_ortho.fabrication.exchange.assembly_page import _sketch, pictures_of
 from freecad_ortho.fabrication.step import read_step
 from freecad_ortho.fabrication.systems.nodes import Nodes
 from solver.errors import InputError
@@ -233,3 +233,12 @@ def test_large_structures_have_few_pictures():
     assert found[0][0] == 0
     assert all(one[1] == two[0] for one, two in pairwise(found))
     assert found[-1][1] == len(stages)
+
+
+def test_words_of_an_arm_stand_beyond_its_end():
+    arms = [
+        SimpleNamespace(turn_deg=turn, parts=f"B{turn}", towards="N1") for turn in (0, 90, 180, 270)
+    ]
+    drawn = _sketch("N0", arms)
+    anchors = {words: anchor for anchor, words in re.findall(r'text-anchor="(\w+)">(B\d+)<', drawn)}
+    assert anchors == {"B0": "start", "B90": "middle", "B180": "end", "B270": "middle"}
