@@ -11,6 +11,7 @@ from freecad_ortho.fabrication import Lamellas, build
 from freecad_ortho.fabrication.clash import check_clashes
 from freecad_ortho.fabrication.systems.lamellas.axis import Lamella
 from freecad_ortho.fabrication.systems.lamellas.crossings import crossings, said_of_wide
+from freecad_ortho.fabrication.systems.lamellas.laps import _both_sides
 from freecad_ortho.fabrication.systems.lamellas.outline import notch
 from freecad_ortho.fabrication.systems.lamellas.ribbon import Ribbon
 from solver import optimise
@@ -98,6 +99,16 @@ def test_a_twisted_plate_is_thick_square_to_its_rulings():
     places, up = ribbon.placed(1, middle + np.array([[-20.0], [20.0]]) * across)
     assert np.linalg.norm(up, axis=1) == pytest.approx(2.0, rel=1e-12)
     assert up @ (places[1] - places[0]) == pytest.approx(0.0, abs=1e-9)
+
+
+def test_points_around_a_slot_reach_from_its_start_to_its_end():
+    points = np.linspace(-500.0, 500.0, 3)[:, None] * [1.0, 0.0, 0.0]
+    lamella = slanted("L-U000", points, np.array([0.0, 0.0, 1.0]), (0, 1, 2))
+    axis = lamella.ribbon.flat_across[1]
+    around, _ = _both_sides(lamella, 1, axis, 25.0, np.zeros(3), 4.0)
+    assert (around[:, 2].min(), around[:, 2].max()) == pytest.approx((0.0, 25.0))
+    assert np.abs(around[:, 1]) == pytest.approx(2.0)
+    assert np.abs(around[:, 0]).max() == pytest.approx(10.0)
 
 
 def test_a_slot_lets_a_plate_pass_that_leans_otherwise_up_to_a_slanted_edge():
