@@ -49,10 +49,10 @@ def test_a_number_is_tried_on_the_first_case_that_heeds_it(tool):
         tool.Case("wave", start, "principal"),
         tool.Case("near", start, "principal", near=0.01),
     ]
-    lines = list(tool.table(cases, ["fade", "along_evenness", "stages"], True))
+    lines = list(tool.table(cases, ["fade", "along_far", "stages"], True))
     steps = sum(case.outcome(Tuning()).report.iterations for case in cases)
     assert lines[0] == f"2 cases, {steps} steps as it is."
     rows = {line.split(" | ")[0]: line for line in lines[4:]}
     assert "elsewhere, near by" not in rows["| fade"] and "steps" in rows["| fade"]
-    assert "steps" in rows["| along_evenness"]
+    assert "steps" in rows["| along_far"]
     assert rows["| stages"].endswith("| nothing | nothing |")
