@@ -61,12 +61,26 @@ def told(plan: WholePlan, *ends: Ended):
 
 def test_a_good_net_is_led_along_the_nets_once_and_kept_where_that_is_nearer():
     plan = whole()
-    near, far = higher(plan, 0.1), higher(plan, 0.5)
+    near, far = higher(plan, 0.2), higher(plan, 0.5)
     assert told(plan, Ended(far), Ended(near)) == ([Attempt, Along], CONVERGED)
     assert plan.best.so_far() is near
     plan = whole()
     assert told(plan, Ended(near), Ended(far))[1] == CONVERGED
     assert plan.best.so_far() is near
+
+
+def test_one_that_has_no_long_way_to_go_is_brought_nearer_at_its_farthest_place():
+    plan = whole()
+    net, first, sharp = (higher(plan, height) for height in (0.1, 0.08, 0.06))
+    kinds, status = told(plan, Ended(net), Ended(first), Ended(sharp))
+    assert (kinds, status) == ([Attempt, Along, Along], CONVERGED)
+    assert plan.best.so_far() is sharp
+    # Where it comes no nearer by that, what was lowered before is lowered to its end.
+    for worse in (net, uneven(plan)):
+        plan = whole()
+        kinds, status = told(plan, Ended(net), Ended(first), Ended(worse), Ended(sharp))
+        assert (kinds, status) == ([Attempt, Along, Along, Along], CONVERGED)
+        assert plan.best.so_far() is sharp
 
 
 def test_where_no_surface_is_near_to_anything_it_ends_with_the_net():
