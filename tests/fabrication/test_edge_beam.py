@@ -262,6 +262,8 @@ def test_strips_are_plane_between_bends_and_unroll_without_stretch(roof, border)
     for run, part in zip(runs, pieces_of(structure), strict=True):
         assert np.array_equal(rulings[run[:-1], 1], rulings[run[1:], 0])
         assert part.pattern.label_size >= 3.0, "its name can be read"
+        plate = shapely.Polygon(part.pattern.outline)
+        assert plate.contains(shapely.Point(part.pattern.label)), "and is on it"
         bends = np.array([bend.points for bend in part.pattern.bends])
         if len(bends) < len(run) - 1:
             continue
