@@ -38,13 +38,22 @@ class NormalEquations:
         points: (V, 3) where the vertices are about, to number the unknowns by; the first 3 V
             unknowns are coordinates, the others shared scalars.
         reorder: number the unknowns so that a factorisation fills in little.
+        used: whether each term may weigh anything; wide stencils of those that never do would fill
+            the matrix with zeros. By default all may.
     """
 
     def __init__(
-        self, terms: Sequence[Term], free: BoolArray, points: FloatArray, reorder: bool = True
+        self,
+        terms: Sequence[Term],
+        free: BoolArray,
+        points: FloatArray,
+        reorder: bool = True,
+        used: Sequence[bool] | None = None,
     ) -> None:
         self.terms = tuple(terms)
+        self._unused = [k for k in range(len(terms)) if used is not None and not used[k]]
         members = _alike(self.terms)
+        members = [group for group in members if not set(group) <= set(self._unused)]
         stencils = [self.terms[group[0]].unknowns for group in members]
         numbering = Numbering(stencils, free, points, reorder)
         self.sparsity: Sparsity = numbering.sparsity
@@ -60,6 +69,7 @@ class NormalEquations:
 
     def matrix(self, linearisations: Sequence[Linearisation], weights: FloatArray) -> FloatArray:
         """(nnz,) lower triangle of the sum of ``weight * J^T J``."""
+        assert not weights[self._unused].any(), "a term weighs something that has no place"
         constants, moved = [], []
         for group in self._groups:
             used = tuple(k for k in group.members if weights[k] > 0)

@@ -31,25 +31,33 @@ from solver.terms.pull import Pull
 
 
 class Layout:
-    """The equations of a problem, laid out once for all attempts at it.
+    """The equations of a problem, laid out once for attempts that use the same terms.
 
     Args:
-        problem: what is asked.
+        attempt: what is tried, at which problem.
         backend: name of the sparse solver.
     """
 
-    def __init__(self, problem: Problem, backend: str) -> None:
-        self.problem = problem
+    def __init__(self, attempt: Attempt, backend: str) -> None:
+        self.problem, self._used = attempt.problem, attempt.used
+        problem = self.problem
         self.system = NormalEquations(
             problem.terms,
             problem.free,
             problem.mesh.vertices,
             # rslab orders the unknowns itself.
             reorder=backend == "scipy",
+            used=self._used,
         )
         self.solver = symmetric_solver(self.system.sparsity, backend)
         self.stepper = Stepper(self.solver, problem.tuning)
         self.relaxation = Relaxation(self.solver, problem.tuning)
+
+    def serves(self, attempt: Attempt) -> bool:
+        """Whether all that weighs anything in an attempt has a place."""
+        return attempt.problem is self.problem and all(
+            here or not there for here, there in zip(self._used, attempt.used, strict=True)
+        )
 
 
 class Descent:

@@ -54,6 +54,12 @@ class Attempt:
             for guide in self.problem.guides
         ]
 
+    @property
+    def used(self) -> list[bool]:
+        """Whether each term of the problem, constraints first, weighs anything in it."""
+        guides = [weight > 0 for weight in self.weights_of_guides(1.0)]
+        return [True] * len(self.problem.constraints) + guides
+
     def leads_on(self, reached: Candidate) -> bool:
         """Whether what an easier net reached is a start for the wanted one."""
         return self.easier and (reached.good or (reached.valid and self.last))

@@ -78,7 +78,7 @@ class Optimisation:
         self._way = self._plan.way()
         attempt = next(self._way)
         assert isinstance(attempt, Attempt)
-        self.descent = descent or Descent(Layout(attempt.problem, self.backend), attempt)
+        self.descent = descent or Descent(Layout(attempt, self.backend), attempt)
         self._now: Descent | Along = self.descent
         self.attempts = 1
         self.seconds_setup = time.perf_counter() - begun
@@ -224,8 +224,8 @@ class Optimisation:
         if isinstance(attempt, Along):
             return attempt
         before = self.descent
-        shared = attempt.problem is before.problem
-        layout = before.layout if shared else Layout(attempt.problem, self.backend)
+        shared = before.layout.serves(attempt)
+        layout = before.layout if shared else Layout(attempt, self.backend)
         self.descent = Descent(layout, attempt, before.restless)
         return self.descent
 
