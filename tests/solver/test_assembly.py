@@ -87,6 +87,20 @@ def _not_a_number(part):
     return Linearisation(np.full_like(part.residual, np.nan), np.full(part.jacobian.shape, np.nan))
 
 
+def test_terms_that_never_weigh_anything_have_no_place(system):
+    full, linearisations, free = system
+    points = wavy_grid(7, 6).vertices
+    slim = NormalEquations(full.terms, free, points, used=[True, True, False, False])
+    weights = np.array([1.0, 0.3, 0.0, 0.0])
+    assert len(slim.sparsity.indices) < len(full.sparsity.indices)
+    matrix, gradient = dense(slim, linearisations, free, weights)
+    found = unpacked(slim.sparsity, slim.matrix(linearisations, weights))
+    np.testing.assert_allclose(found, matrix, rtol=0, atol=1e-12 * np.abs(matrix).max())
+    np.testing.assert_allclose(slim.gradient(linearisations, weights), gradient, atol=1e-12)
+    with pytest.raises(AssertionError, match="no place"):
+        slim.matrix(linearisations, np.ones(4))
+
+
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_solvers_solve(system, backend):
     if backend == "rslab" and importlib.util.find_spec("rslab") is None:

@@ -43,7 +43,9 @@ def times(monkeypatch, mesh, net, steps=STEPS, repeats=REPEATS):
 @pytest.mark.parametrize("net", NETS)
 def test_a_step_costs_little_more_than_its_solve(monkeypatch, net):
     step, solve, setup = times(monkeypatch, wavy_grid(48, 48), net)
-    assert step <= 1.5 * solve
+    # Half of a solve in whose matrix all guides have a place; one of those that weigh anything
+    # takes two thirds of it.
+    assert step <= 1.75 * solve
     assert setup <= 5 * step
 
 
