@@ -109,7 +109,7 @@ def test_assemblies_in_ifc_are_lines_or_rings(roof, tmp_path, by):
     job = build(
         roof,
         [Beams(200, 20, ends="end-plate"), Nodes("bolted")],
-        selection=Selection(family="u", lines=(2, 3, 4)),
+        selection=Selection(lines=(2, 3, 4)),
     )
     shop = Workshop(ifc_assemblies=by)
     files = [tmp_path / name / "some.ifc" for name in ("once", "twice")]
@@ -140,6 +140,8 @@ def test_assemblies_in_ifc_are_lines_or_rings(roof, tmp_path, by):
     assert len(bolts) == job.fasteners[0].count
     for bolt, joins in zip(bolts, job.fasteners[0].joins, strict=True):
         assert elements.get_aggregate(bolt).Name == homes[joins[0]]
+    # Some stand between two assemblies.
+    assert any(homes[one] != homes[other] for one, other in job.fasteners[0].joins)
 
 
 @needed

@@ -19,6 +19,7 @@ from freecad_ortho.fabrication.dxf import DXF_LAYERS
 from freecad_ortho.fabrication.nesting import library, nest
 from freecad_ortho.fabrication.nesting.nest import too_large_words
 from freecad_ortho.fabrication.nesting.skyline import Skyline
+from freecad_ortho.fabrication.nesting.strip import StripPacker
 from freecad_ortho.fabrication.part import some_names
 from freecad_ortho.fabrication.pattern import polygon_area
 from solver.errors import InputError
@@ -80,6 +81,14 @@ def test_outlines_by_the_library_are_sound_and_no_worse(plates):
     assert_sound(nesting.sheets, some, shop)
     boxes = nest(some, Workshop(sheet=(3000.0, 3000.0), spacing=8.0)).sheets
     assert len(nesting.sheets) <= len(boxes)
+
+
+def test_the_library_is_given_each_outline_once():
+    if not library.is_there():
+        pytest.skip("spyrrow is not installed")
+    square, strip = ((0, 0), (90, 0), (90, 90), (0, 90)), ((0, 0), (40, 0), (40, 80), (0, 80))
+    placed = StripPacker().pack([square, strip], [[0.0], [0.0]], 100.0, 1, 3)
+    assert sorted(number for number, *_ in placed) == [0, 1]
 
 
 # Half a degree at the tip: the spacing must hold there too.
