@@ -179,6 +179,32 @@ def test_the_node_has_the_angles_of_the_list(framed):
     assert ", ".join(f"{float(row[f'{k}_mm']):.1f}" for k in "xyz") in words
 
 
+def five_sectors(count=3, size=3000.0):
+    """A level pentagon of five times ``count`` x ``count`` quads that meet at one inner vertex."""
+    turns = 2 * np.pi / 5 * np.arange(6)
+    rim = size * np.stack([np.cos(turns), np.sin(turns), 0 * turns], axis=1)
+    u, v = (each[..., None] for each in np.meshgrid(*[np.linspace(0, 1, count + 1)] * 2))
+    points, faces = [], []
+    for k in range(5):
+        corner = (rim[k] + rim[k + 1]) / 1.6
+        patch = u * (1 - v) * rim[k] + u * v * corner + (1 - u) * v * rim[k + 1]
+        number = np.arange((count + 1) ** 2).reshape(count + 1, -1) + k * (count + 1) ** 2
+        sides = number[:-1, :-1], number[:-1, 1:], number[1:, 1:], number[1:, :-1]
+        faces.append(np.stack(sides, axis=2).reshape(-1, 4))
+        points.append(patch.reshape(-1, 3))
+    _, first, place = np.unique(
+        np.round(np.concatenate(points), 6), axis=0, return_index=True, return_inverse=True
+    )
+    return QuadMesh(np.concatenate(points)[first], place.ravel()[np.concatenate(faces)])
+
+
+def test_an_irregular_node_is_not_the_typical_one():
+    production = produce(build(five_sectors(), [Beams(100, 10)]))
+    meeting = [len(node.neighbours) for node in production.nodes]
+    assert max(meeting) == 5
+    assert len(typical_node(production).neighbours) == 4
+
+
 def test_the_plan_is_to_scale(framed):
     production, pages, _ = framed
     _, text, words = pages["PLAN"]

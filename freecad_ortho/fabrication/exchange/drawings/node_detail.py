@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from typing import Any
 
@@ -28,7 +29,8 @@ _CHAIN = (4.0, 1.0, 0.6, 1.0)
 def typical_node(production: Production) -> Node | None:
     """A node of the largest group of equal ones within the net, the most central of several.
 
-    None where no edges meet.
+    As many edges meet at it as at most nodes there: an irregular one is not typical. None where no
+    edges meet.
     """
     site = production.structure.site
     border = site.mesh.connectivity.boundary_vertices
@@ -37,11 +39,13 @@ def typical_node(production: Production) -> Node | None:
     if not inner:
         return None
     sizes = {name: len(group) for group in production.groups.nodes for name in group}
+    meeting = Counter(len(node.neighbours) for node in inner)
+    usual = max(meeting, key=lambda count: (meeting[count], count))
     middle = np.mean([node.point for node in nodes], axis=0)
     return min(
         inner,
         key=lambda node: (
-            -len(node.neighbours),
+            len(node.neighbours) != usual,
             -sizes.get(node.name, 1),
             round(float(np.linalg.norm(node.point - middle)), 3),
             node.vertex,
