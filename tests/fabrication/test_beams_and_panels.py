@@ -242,7 +242,7 @@ def test_unknown_offset_no_system_bad_density(roof):
 def test_sizes_that_do_not_fit_name_the_place_and_the_limit(roof, settings, limit):
     with pytest.raises(InputError, match=limit) as caught:
         build(roof, settings(30000.0))
-    assert re.search(r"(edge|face) \d+", str(caught.value))
+    assert re.search(r"(edge \d+|face \d+|B\d+ between N\d+ and N\d+)", str(caught.value))
     largest = float(re.search(limit, str(caught.value))[1])
     build(roof, settings(0.98 * largest))
     with pytest.raises(InputError):
