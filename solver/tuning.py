@@ -125,7 +125,8 @@ class Tuning:
             power in an attempt that follows where the way is not long,
         peak_begin: once steps lower the wishes by less than this part of them,
         peak_worth: until they lower those fourth powers by less than this part: of the distances
-            that is a quarter of a percent.
+            that is a quarter of a percent,
+        peak_cost: and only where that costs no more than this of the evenness of lines.
         inside: part of a distance that is allowed from which on it weighs
         forbidden: so much more.
         along_motion: weight of neighbours that move alike along the nets, against zigzag for the
@@ -280,6 +281,7 @@ class Tuning:
     peak: float = 1.5
     peak_begin: float = 0.05
     peak_worth: float = 0.01
+    peak_cost: float = 0.04
     inside: float = 0.8
     forbidden: float = 100.0
     along_motion: float = 1e-3

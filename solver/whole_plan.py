@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable, Generator, Sequence
 from typing import NamedTuple
 
+import numpy as np
+
 from solver import last_phase
 from solver.along import Along
 from solver.analysis.form import surface_of
@@ -193,7 +195,8 @@ class WholePlan:
             return found
         nearest.sharpen()
         sharp = self._ended((yield Along(nearest, reached, most - attempt.taken)))
-        if last_phase.is_sound(sharp, found) and self._far(sharp) < self._far(found):
+        even = sharp.smoothness >= found.smoothness - tuning.peak_cost
+        if even and last_phase.is_sound(sharp, found) and self._far(sharp) < self._far(found):
             return sharp
         plain = course._replace(sharp=False)
         return (yield from self._along(found, plain, early)) if self._may_go_on else found
@@ -212,7 +215,14 @@ class WholePlan:
         asked = self.aim.within is not None or not self._pressed
         nearer = self._far(found) < self._far(before)
         worth = nearer and (asked or not found.dearer_than(before))
-        return self._keep(found) if worth else before
+        return self._keep(found) if worth or self._mends(found, before) else before
+
+    def _mends(self, found: Candidate, before: Candidate) -> bool:
+        """Whether lines that zigzagged are even now, and the net on its surface all the same."""
+        tuning, size = self._tuning, np.ptp(self.original.mesh.vertices, axis=0)
+        near = self._ground is not None and self.aim.within is None
+        near = near and self._far(found) <= tuning.on_surface * float(np.linalg.norm(size))
+        return near and before.smoothness < tuning.crumpled <= found.smoothness
 
     def _keep(self, net: Candidate) -> Candidate:
         """Take a net for the best, whatever there was before it."""

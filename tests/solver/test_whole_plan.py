@@ -75,12 +75,25 @@ def test_one_that_has_no_long_way_to_go_is_brought_nearer_at_its_farthest_place(
     kinds, status = told(plan, Ended(net), Ended(first), Ended(sharp))
     assert (kinds, status) == ([Attempt, Along, Along], CONVERGED)
     assert plan.best.so_far() is sharp
-    # Where it comes no nearer by that, what was lowered before is lowered to its end.
-    for worse in (net, uneven(plan)):
+    # Where it comes no nearer by that, or at the price of even lines, what was lowered before is
+    # lowered to its end.
+    dear = replace(sharp, smoothness=first.smoothness - 0.05)
+    for worse in (net, uneven(plan), dear):
         plan = whole()
         kinds, status = told(plan, Ended(net), Ended(first), Ended(worse), Ended(sharp))
         assert (kinds, status) == ([Attempt, Along, Along, Along], CONVERGED)
         assert plan.best.so_far() is sharp
+
+
+def test_lines_that_zigzag_give_way_to_even_ones_that_are_on_the_surface_too():
+    for height, mended in ((0.003, True), (0.02, False)):
+        plan = whole()
+        # A grid so coarse is never as near to its surface as others are.
+        plan._tuning = replace(plan._tuning, on_surface=0.0035)
+        before = replace(higher(plan, 0.002), smoothness=0.1, smoothness_start=0.1)
+        after = replace(higher(plan, height), smoothness=0.9, smoothness_start=0.1)
+        told(plan, Ended(before), Ended(after), Ended(before))
+        assert (plan.best.so_far() is after) is mended
 
 
 def test_where_no_surface_is_near_to_anything_it_ends_with_the_net():
