@@ -13,6 +13,7 @@ from functools import cached_property
 
 import numpy as np
 from scipy.spatial import cKDTree
+from scipy.spatial.distance import cdist
 
 from freecad_ortho.fabrication.drilled import DrilledBody
 from freecad_ortho.fabrication.part import Part
@@ -145,6 +146,20 @@ class _Form:
     def _tree(self) -> cKDTree:
         return cKDTree(self.points)
 
+    @cached_property
+    def _body_tree(self) -> cKDTree:
+        return cKDTree(self.body)
+
+    @cached_property
+    def _pivot(self) -> int:
+        """Corner far from z that has the fewest like it, in distance from z and height."""
+        away, reach = np.hypot(self.body[:, 0], self.body[:, 1]), 2 * self.tolerance
+        far = np.flatnonzero(away >= away.max() / 2)
+        level = self.body[:, 2]
+        alike = np.abs(away[far, None] - away) <= reach
+        alike &= np.abs(level[far, None] - level) <= reach
+        return int(far[np.lexsort((-away[far], alike.sum(axis=1)))[0]])
+
     def turn_onto(self, other: _Form) -> FloatArray | None:
         """The rotation (3, 3) of rows that lays this form on another of as many points, if any."""
         if abs(self.volume - other.volume) > self.tolerance * self._box_area:
@@ -173,8 +188,34 @@ class _Form:
         if self.ring is not None and other.ring is not None:
             yield from _plane_turns(self.ring, other.ring, self.tolerance)
         elif self.ring is other.ring:
-            yield from _HALF_TURNS
-            yield from self._turns_about_axis(other)
+            if self._may_lie_on(other):
+                yield from _HALF_TURNS
+                yield from self._turns_about_axis(other)
+
+    def _may_lie_on(self, other: _Form) -> bool:
+        """Rule out at once that a half turn, or any turn about z, lays it on the other.
+
+        A turn that does brings the pivot to within the tolerance of a corner of the other, so it is
+        nearly the one that brings it into the direction of that: no point is far off then either.
+        """
+        turns, slack = _HALF_TURNS, np.full((len(_HALF_TURNS), 1), self.tolerance)
+        x, y, level = self.body[self._pivot].tolist()
+        away, within = np.hypot(x, y), self.tolerance
+        if away <= 2 * within:
+            return True
+        places = other.body[np.abs(other.body[:, 2] - level) <= 2 * within]
+        places = places[np.abs(np.hypot(places[:, 0], places[:, 1]) - away) <= 2 * within]
+        angles = np.arctan2(places[:, 1], places[:, 0]) - np.arctan2(y, x)
+        turns = [*turns, *(_about_z(angle) for angle in angles.tolist())]
+        farthest = np.hypot(self.points[:, 0], self.points[:, 1]).max()
+        about = within + float(farthest * np.arcsin(within / away))
+        slack = np.concatenate([slack, np.full((len(angles), 1), about)]) * (1 + 1e-6)
+        moved = np.concatenate(
+            [np.column_stack([self.points[:, :3] @ t, self.points[:, 3]]) for t in turns]
+        )
+        apart = cdist(moved, other.points).reshape(len(turns), len(self.points), -1)
+        fits = (apart.min(axis=2) <= slack).all(axis=1) & (apart.min(axis=1) <= slack).all(axis=1)
+        return bool(fits.any())
 
     def _turns_about_axis(self, other: _Form) -> Iterator[FloatArray]:
         """Turns about z that bring its outermost corner near to one of the other's."""
@@ -186,7 +227,7 @@ class _Form:
             turn = _about_z(np.angle(place / mine[far]))
             # The nearest corners say more exactly how far it is to be turned.
             moved = self.body @ turn
-            nearest = others[cKDTree(other.body).query(moved)[1]]
+            nearest = others[other._body_tree.query(moved)[1]]
             rest = np.angle((nearest * (moved[:, :2] @ np.array([1, -1j]))).sum())
             yield turn @ _about_z(rest)
 
