@@ -7,6 +7,9 @@ that line, whose section has the six corners
 
 with the unit vectors e along the legs, n square to them into the corner, the legs' length b, their
 thickness t, and the angle alpha between them.
+
+Where a plate runs askew to that line its leg follows it: from the inner corner of the fold on, at
+t / tan(alpha / 2), the leg rises by its slope, a parallelogram as long square to the line.
 """
 
 from __future__ import annotations
@@ -24,6 +27,9 @@ from freecad_ortho.fabrication.ruled import RuledBody
 from freecad_ortho.fabrication.ruled_sides import Bore
 from solver.mesh.quadmesh import FloatArray, unit_rows
 
+# Sides of a cleat with askew legs that their bolts pass: on the plates, and inside.
+_ASKEW = ((6, 8), (11, 9))
+
 
 @dataclass(frozen=True)
 class CleatSizes:
@@ -38,6 +44,8 @@ class CleatSizes:
         back: from the corner to the bolts.
         reach: from the corner to the ends of the legs.
         plate: thickness of the plates that are joined.
+        lift: of the bolts of one leg above the middle of the corner, and of those of the other
+            below it, where one plate stands on the other.
     """
 
     bolt: Bolt | None
@@ -48,6 +56,12 @@ class CleatSizes:
     back: float
     reach: float
     plate: float
+    lift: float = 0.0
+
+    @property
+    def rim(self) -> float:
+        """From the outer bolts to the nearer end of the cleat along the corner, mm."""
+        return self.height / 2 - self.lift - max(self.levels)
 
     @property
     def beside(self) -> float:
@@ -64,12 +78,16 @@ class Leg:
         way: (3,) unit vector along it, from the corner.
         out: (3,) unit normal of the plate there, into the corner.
         gap: between the plate's own side and the leg, as a twisted plate leaves its plane, mm.
+        side: 1 where its bolts are ``lift`` further along the corner, -1 where further back.
+        slope: how far it rises along the corner per length of it, beside its fold.
     """
 
     part: str
     way: FloatArray
     out: FloatArray
     gap: float
+    side: float = 1.0
+    slope: float = 0.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -106,12 +124,36 @@ class Cleat:
     def origin(self) -> FloatArray:
         """(3,) of these: the lower end of the first leg, on its plate."""
         sizes = self.sizes
-        return self.corner + sizes.reach * self.legs[0].way - sizes.height / 2 * self.up
+        low = sizes.height / 2 + self.drop
+        return self.corner + sizes.reach * self.legs[0].way - low * self.up
+
+    @property
+    def fold(self) -> float:
+        """From the corner to where the fold's inner corner is above a leg, mm."""
+        return self.sizes.thickness / float(np.tan(self.angle / 2))
+
+    @property
+    def askew(self) -> bool:
+        """Whether a leg rises."""
+        return any(leg.slope != 0 for leg in self.legs)
+
+    @property
+    def drop(self) -> float:
+        """How far legs fall below their fold, mm."""
+        return max(0.0, *(-self.rise(leg, self.sizes.reach) for leg in (0, 1)))
+
+    def rise(self, leg: int, along: float) -> float:
+        """How far a leg has risen along the corner so far from it, mm."""
+        return self.legs[leg].slope * max(along - self.fold, 0.0)
+
+    def levels(self, leg: int) -> FloatArray:
+        """(N,) of the bolts of a leg along the corner, from its middle, mm."""
+        return np.array(self.sizes.levels) + self.legs[leg].side * self.sizes.lift
 
     def bolts(self, leg: int) -> FloatArray:
         """(N, 3) where the bolts of a leg pass the side that lies on its plate."""
         sizes = self.sizes
-        levels = np.array(sizes.levels)[:, None]
+        levels = (self.levels(leg) + self.rise(leg, sizes.back))[:, None]
         return np.asarray(self.corner + sizes.back * self.legs[leg].way + levels * self.up)
 
     def section(self) -> FloatArray:
@@ -133,6 +175,21 @@ class Cleat:
 
     def body(self) -> DrilledWalls:
         """Its body in its own coordinates, computed from corner points."""
+        sizes = self.sizes
+        # The sides after both ends begin at each corner: on the plates 0 and 5, inside 2 and 3.
+        whole, bored = (self._askew(), _ASKEW) if self.askew else (self._even(), ((2, 4), (7, 5)))
+        drills, bores = [], []
+        for leg, sides in enumerate(bored):
+            out = self.frame @ self.legs[leg].out
+            for place in (self.bolts(leg) - self.origin) @ self.frame.T:
+                lift = sizes.thickness * out
+                drills.append(Drill(place + lift / 2, out, sizes.hole, sizes.thickness))
+                bores.append(Bore(place, place + lift, sizes.hole, sides))
+        solid = RuledBody(whole.corners, whole.loops, bores=tuple(bores))
+        return DrilledWalls(whole, solid, tuple(drills))
+
+    def _even(self) -> Divided:
+        """Without its holes: a prism along the corner."""
         sizes, section = self.sizes, self.section()
         along, off = np.tile(section, (2, 1)).T
         corners = np.column_stack([sizes.reach - along, np.repeat([0.0, sizes.height], 6), off])
@@ -140,17 +197,28 @@ class Cleat:
             Polyhedron(corners[[*ring, *(k + 6 for k in ring)]], prism_sides(4))
             for ring in ((0, 1, 2, 3), (0, 3, 4, 5))
         )
-        whole = Divided(corners, prism_sides(6), blocks)
-        drills, bores = [], []
-        # The sides after both ends begin at each corner: on the plates 0 and 5, inside 2 and 3.
-        for leg, sides in enumerate(((2, 4), (7, 5))):
-            out = self.frame @ self.legs[leg].out
-            for place in (self.bolts(leg) - self.origin) @ self.frame.T:
-                lift = sizes.thickness * out
-                drills.append(Drill(place + lift / 2, out, sizes.hole, sizes.thickness))
-                bores.append(Bore(place, place + lift, sizes.hole, sides))
-        solid = RuledBody(corners, whole.loops, bores=tuple(bores))
-        return DrilledWalls(whole, solid, tuple(drills))
+        return Divided(corners, prism_sides(6), blocks)
+
+    def _askew(self) -> Divided:
+        """Without its holes: a prism about the fold, and legs that rise from it."""
+        sizes, angle, fold = self.sizes, self.angle, self.fold
+        outer, first, over, inner, above, second = self.section()
+        starts = fold * np.array([[1.0, 0.0], [np.cos(angle), np.sin(angle)]])
+        ring = np.array([outer, starts[0], first, over, inner, above, second, starts[1]])
+        rises = np.zeros(8)
+        rises[[2, 3]], rises[[5, 6]] = (self.rise(leg, sizes.reach) for leg in (0, 1))
+        along, off = np.tile(ring, (2, 1)).T
+        up = np.tile(rises + self.drop, 2) + np.repeat([0.0, sizes.height], 8)
+        corners = np.column_stack([sizes.reach - along, up, off])
+        ends = ((0, 1, 4, 7), (1, 2, 3, 4), (4, 5, 6, 7))
+        blocks = tuple(
+            Polyhedron(corners[[*end, *(k + 8 for k in end)]], prism_sides(4)) for end in ends
+        )
+        loops = [tuple(k + 8 for k in end) for end in ends]
+        loops += [tuple(reversed(end)) for end in ends]
+        loops += [(0, 1, 2, 10, 9, 8), (2, 3, 11, 10), (3, 4, 12, 11)]
+        loops += [(4, 5, 13, 12), (5, 6, 14, 13), (6, 7, 0, 8, 15, 14)]
+        return Divided(corners, tuple(loops), blocks)
 
 
 @dataclass(frozen=True, eq=False)

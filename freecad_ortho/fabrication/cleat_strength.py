@@ -43,7 +43,7 @@ def clamped(sizes: CleatSizes, material: Material) -> Clamped | None:
         planes=1,
         plate=min(sizes.thickness, sizes.plate),
         head=sizes.thickness,
-        edge=min(sizes.reach - sizes.back, sizes.height / 2 - max(levels)),
+        edge=min(sizes.reach - sizes.back, sizes.rim),
         apart=levels[-1] - levels[0] if len(levels) > 1 else None,
         material=material,
     )
@@ -82,7 +82,9 @@ def leg_bends(sizes: CleatSizes, material: Material) -> float:
     metal = metal_for(material)
     # Plain steel counts as the weakest, as in what its plates bear.
     strength = MATERIALS["S235" if metal.name == "steel" else metal.name].bending_limit
-    return sizes.height * sizes.thickness**2 * strength / (4 * sizes.back)
+    # Of plates on each other only what is beside the bolts of one of them counts.
+    height = sizes.height - 2 * sizes.lift
+    return height * sizes.thickness**2 * strength / (4 * sizes.back)
 
 
 def cleats_used(lamellas: Mapping[str, Any], forces: Mapping[str, float]) -> str:

@@ -248,8 +248,9 @@ def test_between_two_cleats_there_is_room_for_both(spare):
 @pytest.mark.parametrize(
     ("values", "words"),
     [
-        ({"layers": 2}, "cleats: they and feet join lamellas that stand in one layer"),
-        ({"layers": 2, "position": "lying"}, "take position standing and layers 1"),
+        ({"layers": 2, "feet": "corners"}, "cleats: feet carry lamellas that stand in one layer"),
+        ({"position": "tilted", "feet": "corners"}, "take position standing and layers 1"),
+        ({"layers": 2, "position": "lying"}, "lying lamellas are held by a bolt at every crossing"),
         ({"smooth": True}, "smooth: legs of cleats lie on faceted lamellas"),
         ({"width": 20.0}, r"hole: cleats with holes of 9 mm need lamellas at least 21.6 mm wide"),
     ],

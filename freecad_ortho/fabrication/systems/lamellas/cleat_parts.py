@@ -49,27 +49,33 @@ def cleat_part(cleat: Cleat, site: Site) -> Part:
 def _pattern(cleat: Cleat) -> FlatPattern:
     """Both legs beside each other with the fold between them."""
     sizes, half = cleat.sizes, cleat.developed
-    height = sizes.height
+    height, low = sizes.height, cleat.drop
     outline = np.array([[0.0, 0.0], [2 * half, 0.0], [2 * half, height], [0.0, height]])
+    if cleat.askew:
+        ends = [0.0, sizes.reach - cleat.fold, 2 * half - sizes.reach + cleat.fold, 2 * half]
+        rises = [cleat.rise(0, sizes.reach), 0.0, 0.0, cleat.rise(1, sizes.reach)]
+        below = np.column_stack([ends, low + np.array(rises)])
+        outline = np.concatenate([below, below[::-1] + [0.0, height]])
     off = half - (sizes.reach - sizes.back)
     # Seen from inside the corner, the fold upright, the first leg is on the left.
     holes = tuple(
-        Hole(np.array([half + side * off, height / 2 + level]), sizes.hole)
-        for side in (-1.0, 1.0)
-        for level in sizes.levels
+        Hole(np.array([half + side * off, low + height / 2 + level]), sizes.hole)
+        for leg, side in enumerate((-1.0, 1.0))
+        for level in (cleat.levels(leg) + cleat.rise(leg, sizes.back)).tolist()
     )
     fold = Bend(
-        np.array([[half, 0.0], [half, height]]),
+        np.array([[half, low], [half, low + height]]),
         180.0 - float(np.degrees(cleat.angle)),
     )
     room = 2 * off - sizes.hole
     size = fitted_text_size(cleat.name, 0.45 * room, height / 4, 8.0)
     marks = []
-    for leg, side in zip(cleat.legs, (-1.0, 1.0), strict=True):
-        place = np.array([[half + side * 0.25 * room, height / 4]])
+    for number, (leg, side) in enumerate(zip(cleat.legs, (-1.0, 1.0), strict=True)):
+        level = low + cleat.rise(number, 0.25 * room) + height / 4
+        place = np.array([[half + side * 0.25 * room, level]])
         words = fitted_text_size(leg.part, 0.45 * room, height / 4, 8.0)
         marks.append(Mark(place, leg.part, words))
-    label = np.array([half + 0.25 * room, 0.6 * height])
+    label = np.array([half + 0.25 * room, low + cleat.rise(1, 0.25 * room) + 0.6 * height])
     return FlatPattern(
         outline, tuple(marks), label, size, holes=holes, bends=(fold,), seen="corner"
     )

@@ -13,13 +13,23 @@ from freecad_ortho.fabrication.systems.lamellas.settings import EDGE_DISTANCE, L
 _USUAL = math.radians(60.0)
 
 
-def sizes_of(settings: LamellaSettings, angle: float, *, spread: int = 0) -> CleatSizes:
+def sizes_of(
+    settings: LamellaSettings,
+    angle: float,
+    *,
+    spread: int = 0,
+    slot: float = 0.0,
+    slope: float = 0.0,
+) -> CleatSizes:
     """Of a cleat between lamellas that cross at an angle, radians.
+
+    In a slot that is so wide, mm, and with legs that rise by a slope at most.
 
     A wrench turns beside each bolt, in the corner of the legs and in that on the other side of the
     lamella, where a fin of a foot may be; bolts keep 1.2 holes from edges and slots. They are
     ``spread`` over the width (0), as near to each other as the rule and a wrench allow (1), or
-    there is one in the middle (2).
+    there is one in the middle (2). Of two layers each leg has them in the middle of its own plate,
+    above or below the other one.
     """
     hole, bolt = settings.hole, cleat_bolt(settings)
     thickness = leg_thickness(settings)
@@ -34,17 +44,20 @@ def sizes_of(settings: LamellaSettings, angle: float, *, spread: int = 0) -> Cle
     stands = 0.0 if bolt is None else bolt.washer + max(bolt.head, bolt.nut + 2 * bolt.pitch)
     wrench = 0.0 if bolt is None else bolt.wrench
     beside = (wrench + thickness + settings.thickness + (thickness + stands) * cosine) / sine
-    slot = (settings.thickness / 2 + settings.clearance) / sine + edge
-    back = float(math.ceil(max(beside, slot)))
+    beyond = (settings.thickness / 2 + settings.clearance) / sine
+    beyond = max(beyond, slot / 2) + edge
+    back = float(math.ceil(max(beside, beyond)))
+    lift = (settings.width + settings.clearance) / 2 if settings.layers == 2 else 0.0
     return CleatSizes(
         bolt,
         hole,
         thickness,
-        2.0 * math.ceil(max(levels) + edge),
+        2 * (lift + math.ceil(max(levels) + edge * math.hypot(1.0, slope))),
         levels,
         back,
         back + math.ceil(edge),
         settings.thickness,
+        lift,
     )
 
 

@@ -4,79 +4,36 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import product
 
 import numpy as np
 
-from freecad_ortho.fabrication.cleat import Cleat, Leg, corner_of
+from freecad_ortho.fabrication.cleat import Cleat, CleatSizes, Leg, corner_of
 from freecad_ortho.fabrication.part import part_names
+from freecad_ortho.fabrication.systems.lamellas.arm import Arm
 from freecad_ortho.fabrication.systems.lamellas.axis import Lamella
+from freecad_ortho.fabrication.systems.lamellas.cleat_fit import (
+    LIFTED,
+    Slots,
+    fits,
+    off_leg,
+    off_middle,
+    twist_gap,
+)
 from freecad_ortho.fabrication.systems.lamellas.cleat_sizes import sizes_of
 from freecad_ortho.fabrication.systems.lamellas.crossings import Crossing
 from freecad_ortho.fabrication.systems.lamellas.settings import LamellaSettings
-from freecad_ortho.fabrication.systems.lamellas.splices import Joint, square_end
 from solver.mesh.quadmesh import FloatArray, unit_rows
 
-# Between a leg and what crosses next, in thicknesses of the lamellas.
-_ROOM = 3.0
 # Ways to place the bolts of a leg, see ``sizes_of``.
-_WAYS = 3
+_SPREADS = (0, 1, 2)
+# Most that a leg rises beside its fold.
+_STEEP = 1.5
 # Most that one leg may lean to another, as the cosine of their angle.
 _FLAT = 0.94
 # Rounds in which the places of the legs and their distances from twisted plates come to agree.
 _ROUNDS = 4
-
-
-@dataclass(frozen=True, eq=False)
-class Arm:
-    """A lamella as it leaves a vertex, which is ``ahead`` or behind along it."""
-
-    lamella: Lamella
-    station: int
-    ahead: bool
-
-    @property
-    def face(self) -> int:
-        """Number of the ribbon's face along it."""
-        return self.station if self.ahead else self.station - 1
-
-    @property
-    def towards(self) -> int:
-        """The vertex that it comes to next."""
-        place = self.lamella.stations.index(self.station)
-        return self.lamella.vertices[place + (1 if self.ahead else -1)]
-
-    @property
-    def way(self) -> FloatArray:
-        """(3,) unit vector along its edge, from the vertex."""
-        along = self.lamella.ribbon.strip.along[self.face]
-        return np.asarray(along if self.ahead else -along)
-
-    def at(self, distance: float) -> tuple[FloatArray, FloatArray]:
-        """Point of the axis so far from the vertex, mm, and normal of the plate there."""
-        strip, face = self.lamella.ribbon.strip, self.face
-        place = distance if self.ahead else float(strip.lengths[face]) - distance
-        point, up = square_end(strip, Joint(face, place))
-        return point, np.cross(strip.along[face], up)
-
-    def place(self, distance: float) -> float:
-        """Number of the face, and the share of its length, so far from the vertex."""
-        share = distance / float(self.lamella.ribbon.strip.lengths[self.face])
-        return self.station + (share if self.ahead else -share)
-
-    def pattern(self, points: FloatArray) -> FloatArray:
-        """(N, 2) where points (N, 3) beside the face are in the pattern."""
-        ribbon, face = self.lamella.ribbon, self.face
-        strip = ribbon.strip
-        arms = points - strip.points[face]
-        x = arms @ strip.along[face]
-        angle = (strip.twists[face] * x / strip.lengths[face])[:, None]
-        up = np.cos(angle) * strip.across[0][face] + np.sin(angle) * ribbon.sides[face]
-        across = ribbon.flat_across[face]
-        forwards = np.array([across[1], -across[0]])
-        y = np.einsum("nk,nk->n", arms, up)
-        return np.asarray(strip.flat_points[face] + x[:, None] * forwards + y[:, None] * across)
 
 
 def ends_of(lamellas: Sequence[Lamella]) -> set[int]:
@@ -130,25 +87,34 @@ def cleats_of(
     for index, row in enumerate(met):
         for crossing in row:
             at_vertex.setdefault(crossing.vertex, []).append((index, crossing.station))
+    slots = {
+        (lamella.name, crossing.vertex): crossing.slot.width
+        for lamella, row in zip(lamellas, met, strict=True)
+        for crossing in row
+        if crossing.slot is not None
+    }
     names, found, left_out = part_names("C", count), dict[int, Cleat](), list[str]()
     drilled: dict[int, list[tuple[int, FloatArray]]] = {}
     legs: dict[int, list[float]] = {}
+    ways = _ways(settings)
     for vertex in sorted(wanted):
         there = at_vertex.get(vertex, [])
         if len(there) != 2:
             continue
         pairs = _arms(lamellas, there)
-        pairs = [pair for pair in pairs for _ in range(_WAYS)]
+        pairs = [pair for pair in pairs for _ in ways]
         made = [
-            _cleat(pair, vertex, names[vertex], settings, spread=k % _WAYS)
+            _cleat(pair, vertex, names[vertex], settings, slots, ways[k % len(ways)])
             for k, pair in enumerate(pairs)
         ]
         fitting = [
             k
             for k, each in enumerate(made)
-            if each is not None and _fits(pairs[k], each, wanted, settings.clearance)
+            if each is not None and fits(pairs[k], each, wanted, slots, settings)
         ]
-        best = max(fitting, key=lambda k: (-(k % _WAYS), round(_angle(made[k]), 6)), default=None)
+        best = max(
+            fitting, key=lambda k: (-(k % len(ways)), round(_angle(made[k]), 6)), default=None
+        )
         if best is None:
             left_out.append(names[vertex])
             continue
@@ -167,6 +133,15 @@ def cleats_of(
         for index, lamella in enumerate(lamellas)
     ]
     return found, bored, left_out
+
+
+def _ways(settings: LamellaSettings) -> list[tuple[int, bool]]:
+    """How bolts are spread, and whether legs rise with their lamellas, the best first.
+
+    Fins of feet are as high as legs that are square to the corner.
+    """
+    square = [] if settings.position == "tilted" else [(spread, False) for spread in _SPREADS]
+    return square + ([] if settings.feet else [(spread, True) for spread in _SPREADS])
 
 
 def _angle(cleat: Cleat | None) -> float:
@@ -189,106 +164,94 @@ def _cleat(
     vertex: int,
     name: str,
     settings: LamellaSettings,
-    *,
-    spread: int,
+    slots: Slots,
+    way: tuple[int, bool],
 ) -> Cleat | None:
-    """The cleat between two arms; None where they are nearly in line.
-
-    Its bolts are ``spread`` as in ``sizes_of``.
-    """
-    cosine = float(pair[0].way @ pair[1].way)
+    """The cleat between two arms, one of ``_ways``; None where they are nearly in line."""
+    spread, askew = way
+    cosine, slot = float(pair[0].way @ pair[1].way), 0.0
+    if askew:
+        # Plates that lean over each other make another angle than their edges, in wide slots.
+        cosine = -float(_inwards(*pair, 0.0)[1] @ _inwards(*pair[::-1], 0.0)[1])
+        slot = max(slots.get((arm.lamella.name, vertex), 0.0) for arm in pair)
     if abs(cosine) > _FLAT:
         return None
-    sizes = sizes_of(settings, math.acos(cosine), spread=spread)
-    seen, outs = [], []
-    for arm, other in (pair, pair[::-1]):
-        length = float(arm.lamella.ribbon.strip.lengths[arm.face])
-        point, normal = arm.at(min(sizes.reach / 2, length / 2))
-        seen.append(point)
-        outs.append(np.copysign(1.0, float(normal @ other.way)) * normal)
+    sizes = sizes_of(settings, math.acos(cosine), spread=spread, slot=slot)
+    places = [_inwards(*arms, sizes.reach / 2) for arms in (pair, pair[::-1])]
+    seen, outs = [point for point, _ in places], [out for _, out in places]
+    if askew:
+        slopes = [
+            abs(_slope(arm, out, np.cross(outs[0], outs[1])))
+            for arm, out in zip(pair, outs, strict=True)
+        ]
+        if max(slopes) > _STEEP:
+            return None
+        sizes = sizes_of(settings, math.acos(cosine), spread=spread, slot=slot, slope=max(slopes))
+    lifts = [0.0, 0.0]
+    for _ in range(_ROUNDS):
+        made = _between(pair, vertex, name, (seen, outs), sizes, lifts, askew)
+        if not askew:
+            return made
+        # Where a leg passes the bend line at the crossing, it stands off what lies beyond that.
+        off = [off_leg(arm, made, number) for number, arm in enumerate(pair)]
+        lifts = [max(0.0, lift + more) for lift, more in zip(lifts, off, strict=True)]
+    return made if max(lifts) <= LIFTED else None
+
+
+def _between(
+    pair: tuple[Arm, Arm],
+    vertex: int,
+    name: str,
+    planes: tuple[Sequence[FloatArray], Sequence[FloatArray]],
+    sizes: CleatSizes,
+    lifts: Sequence[float],
+    askew: bool,
+) -> Cleat:
+    """The cleat between two arms by points (3,) and inward normals of their planes.
+
+    Legs are off their lamellas by what these twist over their width and by ``lifts``, mm.
+    """
+    seen, outs = planes
     vertex_point = pair[0].lamella.ribbon.strip.points[pair[0].station]
     # How far twisted plates leave their planes depends on where the legs are, and these on that.
     legs = [Leg(arm.lamella.name, arm.way, out, 0.0) for arm, out in zip(pair, outs, strict=True)]
     for _ in range(_ROUNDS):
-        lifts = [settings.thickness / 2 + leg.gap for leg in legs]
-        points = [point + lift * out for point, lift, out in zip(seen, lifts, outs, strict=True)]
+        halves = [sizes.plate / 2 + leg.gap for leg in legs]
+        points = [point + half * out for point, half, out in zip(seen, halves, outs, strict=True)]
         corner, up = corner_of((points[0], points[1]), (outs[0], outs[1]), vertex_point)
         for k, (arm, point, out) in enumerate(zip(pair, seen, outs, strict=True)):
             way = np.cross(up, out)
             way = np.copysign(1.0, float(way @ arm.way)) * way
             ends = np.array([corner, corner + sizes.reach * way])
-            legs[k] = replace(legs[k], way=way, gap=_gap(arm, point, out, ends, up))
+            gap = twist_gap(arm, point, out, ends, up) + lifts[k]
+            legs[k] = replace(legs[k], way=way, gap=gap)
     # The first leg, the way into the corner and the line turn like x, y and z.
     if float(np.cross(legs[0].way, legs[0].out) @ up) < 0:
         up = -up
+    legs = [
+        replace(leg, side=_side(arm, up), slope=_slope(arm, leg.out, up) if askew else 0.0)
+        for arm, leg in zip(pair, legs, strict=True)
+    ]
     made = Cleat(name, vertex, corner, up, (legs[0], legs[1]), sizes)
-    return replace(made, corner=corner - _off_middle(pair, made) * up)
+    return replace(made, corner=corner - off_middle(pair, made) * up)
 
 
-def _gap(arm: Arm, point: FloatArray, out: FloatArray, ends: FloatArray, up: FloatArray) -> float:
-    """Most that a twisted plate leaves the plane at a point of its axis beside a leg, mm.
-
-    Args:
-        arm: of the plate.
-        point: (3,) of the axis.
-        out: (3,) unit normal of the plate there.
-        ends: (2, 3) of the leg, on a line square to ``up``.
-        up: (3,) unit vector along the corner.
-    """
-    ribbon, face = arm.lamella.ribbon, arm.face
-    along = ribbon.strip.along[face]
-    across = np.cross(out, along)
-    across = np.copysign(1.0, float(across @ ribbon.strip.across[0][face])) * across
-    most = 0.0
-    for level in (ribbon.lower, ribbon.upper):
-        # Where the edge is not square to the corner, its sides are further on than its middle.
-        steps = (level - (ends - point) @ across) / float(across @ up)
-        places = (ends + steps[:, None] * up - point) @ along
-        turns = ribbon.strip.twists[face] / ribbon.strip.lengths[face] * places
-        most = max(most, float(np.abs(level * np.sin(turns)).max()))
-    return most
+def _inwards(arm: Arm, other: Arm, distance: float) -> tuple[FloatArray, FloatArray]:
+    """Point of an axis so far from the vertex, mm, and normal of its plate to the other arm."""
+    length = float(arm.lamella.ribbon.strip.lengths[arm.face])
+    point, normal = arm.at(min(distance, length / 2))
+    return point, np.copysign(1.0, float(normal @ other.way)) * normal
 
 
-def _off_middle(pair: tuple[Arm, Arm], cleat: Cleat) -> float:
-    """How far the legs are off the middles of the lamellas along the corner, mm.
-
-    Where an edge is not square to the corner, a leg comes nearer to one side of its lamella.
-    """
-    levels = []
-    for leg, arm in zip(cleat.legs, pair, strict=True):
-        ribbon, face = arm.lamella.ribbon, arm.face
-        ends = cleat.corner + np.array([[0.0], [cleat.sizes.reach]]) * leg.way
-        flat = arm.pattern(ends) - ribbon.strip.flat_points[face]
-        level = flat @ ribbon.flat_across[face] - (ribbon.lower + ribbon.upper) / 2
-        upright = float(ribbon.strip.across[0][face] @ cleat.up)
-        levels.append(np.copysign(1.0, upright) * level)
-    both = np.concatenate(levels)
-    return float(both.min() + both.max()) / 2
+def _slope(arm: Arm, out: FloatArray, up: FloatArray) -> float:
+    """How far a lamella rises along a corner per length square to it in its plane."""
+    up = unit_rows(up[None])[0]
+    way = np.cross(up, out)
+    return float(arm.way @ up) / abs(float(arm.way @ way))
 
 
-def _fits(pair: tuple[Arm, Arm], cleat: Cleat, wanted: Collection[int], clearance: float) -> bool:
-    """Whether both legs lie on plane faces, clear of bend lines, edges and what crosses next.
-
-    Where that shall have a cleat too, there is room for both.
-    """
-    sizes = cleat.sizes
-    for leg, arm in zip(cleat.legs, pair, strict=True):
-        ribbon, face = arm.lamella.ribbon, arm.face
-        strip = ribbon.strip
-        taken = sizes.reach if arm.towards in wanted else _ROOM * sizes.plate
-        if sizes.reach + taken + sizes.plate + clearance > strip.lengths[face]:
-            return False
-        ends = [
-            cleat.corner + along * leg.way + up * cleat.up
-            for along in (0.0, sizes.reach)
-            for up in (-sizes.height / 2, sizes.height / 2)
-        ]
-        flat = arm.pattern(np.array(ends))
-        level = (flat - strip.flat_points[face]) @ ribbon.flat_across[face]
-        if level.min() < ribbon.lower or level.max() > ribbon.upper:
-            return False
-        mitre = ribbon.thickness * abs(math.tan(float(strip.bends[arm.station]) / 2))
-        sign = 1.0 if arm.ahead else -1.0
-        if (sign * ribbon.ahead(arm.station, flat)).min() < mitre:
-            return False
-    return True
+def _side(arm: Arm, up: FloatArray) -> float:
+    """1 where one of two layers lies on the side of the net that ``up`` points to, else -1."""
+    ribbon = arm.lamella.ribbon
+    rises = float(ribbon.strip.across[0][arm.face] @ up)
+    return math.copysign(1.0, (ribbon.lower + ribbon.upper) * rises)

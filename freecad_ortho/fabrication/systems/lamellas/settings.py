@@ -50,7 +50,8 @@ class LamellaSettings:
         saw: width of the saw cut behind a piece, mm.
         cutter: diameter of the milling cutter that slots have round corners for, in flat patterns,
             mm; None for sharp corners, as lasers and water cut them.
-        cleats: angles join lamellas at their last crossings, with bolts of ``hole``.
+        cleats: angles join lamellas at their last crossings, standing ones in two layers at all of
+            them, with bolts of ``hole``.
         diagonals: along which family of them a third layer lies: "first", between the sides along
             u and v, "second", or "auto", those nearer to straight; "none" without one.
         lifted: level of the middle of that layer above the net, mm; filled in.
@@ -171,10 +172,15 @@ class LamellaSettings:
                 f"clearance: slots of half the width and {self.clearance:g} mm are deeper than "
                 f"three quarters of {self.width:g} mm; take a clearance below {self.width / 2:g} mm"
             )
-        if (self.cleats or self.feet) and (self.layers == 2 or self.position != "standing"):
+        if self.cleats and not self.standing:
             raise InputError(
-                "cleats: they and feet join lamellas that stand in one layer; take position "
-                "standing and layers 1"
+                "cleats: lying lamellas are held by a bolt at every crossing, their last ones too; "
+                "leave cleats out"
+            )
+        if self.feet and (self.layers == 2 or self.position != "standing"):
+            raise InputError(
+                "cleats: feet carry lamellas that stand in one layer, by fins beside them; take "
+                "position standing and layers 1"
             )
         if (self.cleats or self.feet) and self.smooth:
             raise InputError(

@@ -26,6 +26,7 @@ from freecad_ortho.fabrication.systems.lamellas.cleat_parts import cleat_bolts, 
 from freecad_ortho.fabrication.systems.lamellas.cleats import around, cleats_of, ends_of
 from freecad_ortho.fabrication.systems.lamellas.crossings import (
     Crossing,
+    at_vertices,
     crossings,
     said_of_wide,
     slot_ways,
@@ -110,7 +111,7 @@ class Lamellas(LamellaSettings, System):
         if not runs:
             return SystemParts(())
         whole = self._whole(site, border, runs, pattern)
-        ends = ends_of(whole) if self.cleats else set()
+        ends = self._with_cleats(whole)
         on_feet = set(standing(site, self.feet).tolist()) if self.feet else set()
         third = None if self.diagonals == "none" else third_layer(site, self, pattern, whole)
         tied = third.crossed if third is not None and self.standing else set()
@@ -143,6 +144,12 @@ class Lamellas(LamellaSettings, System):
         if site.trimming is not None:
             report |= {"trimmed": border.trimmed, "left_out": border.left_out}
         return SystemParts(parts, report, tuple(messages), geometry, fasteners=bolts)
+
+    def _with_cleats(self, whole: list[Lamella]) -> set[int]:
+        """Vertices that shall have one: where lamellas end, of two layers all crossings."""
+        if not self.cleats:
+            return set()
+        return ends_of(whole) | (set(at_vertices(whole)) if self.layers == 2 else set())
 
     def _whole(
         self, site: Site, border: LamellaBorder, runs: list[LamellaSpan], pattern: StripPattern
@@ -235,17 +242,18 @@ class Lamellas(LamellaSettings, System):
 
     def _said_of_layers(self, lamellas: list[Lamella], met: list[list[Crossing]]) -> list[str]:
         """What a user should know about two layers, and about what leans over."""
-        if self.position == "tilted":
+        if self.position == "tilted" and not self.cleats:
             return [
-                "lamellas: tilted ones have neither cleats nor feet, as no plane angle lies in "
-                "their corners; what holds their ends is yours"
+                "lamellas: nothing holds tilted ones where they end; with cleats angles hold them "
+                "there"
             ]
-        if self.layers == 1:
+        if self.layers == 1 or (self.standing and self.cleats):
             return []
         if self.standing:
             return [
                 "lamellas: standing ones in two layers meet edge to edge, where no bolt holds "
-                "them: they have no holes there; weld them, let them lie, or take layers 1"
+                "them: they have no holes there; take cleats for an angle at every crossing, weld "
+                "them, let them lie, or take layers 1"
             ]
         count, needed = too_near(lamellas, met, self)
         if not count:

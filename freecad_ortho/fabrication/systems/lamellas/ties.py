@@ -15,9 +15,9 @@ import numpy as np
 
 from freecad_ortho.fabrication.cleat import Cleat, CleatSizes, Leg, corner_of
 from freecad_ortho.fabrication.part import part_names
+from freecad_ortho.fabrication.systems.lamellas.arm import Arm
 from freecad_ortho.fabrication.systems.lamellas.axis import Lamella
 from freecad_ortho.fabrication.systems.lamellas.cleat_sizes import cleat_bolt, leg_thickness
-from freecad_ortho.fabrication.systems.lamellas.cleats import Arm
 from freecad_ortho.fabrication.systems.lamellas.crossings import at_vertices
 from freecad_ortho.fabrication.systems.lamellas.settings import EDGE_DISTANCE, LamellaSettings
 from solver.mesh.quadmesh import FloatArray, unit_rows
