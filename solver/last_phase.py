@@ -93,12 +93,14 @@ class AlongCourse(NamedTuple):
     Attributes:
         evenness: weight of lines that bend evenly.
         near: the net nearly is on the surface.
-        sharp: another attempt follows that lowers the largest distance.
+        sharp: another attempt follows that lowers the largest distance,
+        late: and so it does here, but only after most of the steps: lines have to turn even first.
     """
 
     evenness: float
     near: bool = False
     sharp: bool = False
+    late: bool = False
 
 
 def course_from(
@@ -125,7 +127,7 @@ def course_from(
         return AlongCourse(tuning.along_evenness, sharp=True)
     # Lines that are less even have no more to lose than is allowed.
     uneven = net.smoothness < min(net.smoothness_start, tuning.even + tuning.uneven)
-    return AlongCourse(tuning.along_rough if uneven else tuning.along_far)
+    return AlongCourse(tuning.along_rough, late=True) if uneven else AlongCourse(tuning.along_far)
 
 
 def is_sound(found: Candidate, before: Candidate) -> bool:

@@ -91,13 +91,17 @@ class NearestNet:
         """Weighted sum of squares of the wishes where it stands."""
         return self.point.weighed(self._wished).energy
 
-    def sharpen(self) -> None:
-        """From now on what is farthest from a surface counts most: the largest distance falls."""
+    def sharpen(self, worth: float) -> None:
+        """From now on what is farthest from a surface counts most: the largest distance falls.
+
+        Args:
+            worth: a step that lowers the wishes by a smaller part of them is the last.
+        """
         for number, term in enumerate(self.point.terms):
             if isinstance(term, NearSurface):
                 sharper = term.peaked(self.point.x, self._tuning.peak)
                 self.point = self.point.with_term(number, sharper)
-        self.worth, self.finished = self._tuning.peak_worth, False
+        self.worth, self.finished = worth, False
 
     def run(self, most: int = 50) -> FloatArray:
         """Take steps until none helps, or so many; return the exact flat vector."""

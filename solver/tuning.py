@@ -127,6 +127,8 @@ class Tuning:
         peak_worth: until they lower those fourth powers by less than this part: of the distances
             that is a quarter of a percent,
         peak_cost: and only where that costs no more than this of the evenness of lines.
+        peak_late: part of the steps after which it follows where the way is long and lines have
+            no evenness to lose.
         inside: part of a distance that is allowed from which on it weighs
         forbidden: so much more.
         along_motion: weight of neighbours that move alike along the nets, against zigzag for the
@@ -251,7 +253,7 @@ class Tuning:
     along_evenness: float = 0.04
     along_near: float = 0.07
     along_far: float = 0.08
-    along_rough: float = 0.6
+    along_rough: float = 0.8
     along_early: float = 0.1
     along_evener: float = 1.0
     along_steps: int = 24
@@ -282,6 +284,7 @@ class Tuning:
     peak_begin: float = 0.05
     peak_worth: float = 0.01
     peak_cost: float = 0.04
+    peak_late: float = 0.67
     inside: float = 0.8
     forbidden: float = 100.0
     along_motion: float = 1e-3

@@ -166,7 +166,7 @@ class WholePlan:
         free = self._may_go_on and not self._pressed
         if free and limit is not None and self._far(best) > limit:
             self._pressed = True
-            course = course._replace(sharp=False)
+            course = course._replace(sharp=False, late=False)
             found = yield from self._along(best, course, early, limit)
             best = self._kept(found, best)
         return best
@@ -189,16 +189,17 @@ class WholePlan:
 
         if course.sharp:
             nearest.worth = tuning.peak_begin
-        attempt = Along(nearest, reached, most)
+        attempt = Along(nearest, reached, round(tuning.peak_late * most) if course.late else most)
         found = self._ended((yield attempt))
-        if not course.sharp or not self._may_go_on:
+        if not (course.sharp or course.late) or not self._may_go_on:
             return found
-        nearest.sharpen()
+        nearest.sharpen(tuning.along_worth if course.late else tuning.peak_worth)
         sharp = self._ended((yield Along(nearest, reached, most - attempt.taken)))
-        even = sharp.smoothness >= found.smoothness - tuning.peak_cost
-        if even and last_phase.is_sound(sharp, found) and self._far(sharp) < self._far(found):
+        kept = sharp.smoothness >= found.smoothness - tuning.peak_cost
+        kept = kept and last_phase.is_sound(sharp, found) and last_phase.is_whole(sharp, net)
+        if kept and self._far(sharp) < self._far(found):
             return sharp
-        plain = course._replace(sharp=False)
+        plain = course._replace(sharp=False, late=False)
         return (yield from self._along(found, plain, early)) if self._may_go_on else found
 
     def _ended(self, ended: Ended) -> Candidate:

@@ -75,14 +75,30 @@ def test_one_that_has_no_long_way_to_go_is_brought_nearer_at_its_farthest_place(
     kinds, status = told(plan, Ended(net), Ended(first), Ended(sharp))
     assert (kinds, status) == ([Attempt, Along, Along], CONVERGED)
     assert plan.best.so_far() is sharp
-    # Where it comes no nearer by that, or at the price of even lines, what was lowered before is
-    # lowered to its end.
+    # Where it comes no nearer by that, or at the price of even lines or of area, what was lowered
+    # before is lowered to its end.
     dear = replace(sharp, smoothness=first.smoothness - 0.05)
-    for worse in (net, uneven(plan), dear):
+    shrunk = replace(sharp, area_ratio=0.8 * net.area_ratio)
+    for worse in (net, uneven(plan), dear, shrunk):
         plan = whole()
         kinds, status = told(plan, Ended(net), Ended(first), Ended(worse), Ended(sharp))
         assert (kinds, status) == ([Attempt, Along, Along, Along], CONVERGED)
         assert plan.best.so_far() is sharp
+
+
+def test_lines_without_evenness_to_lose_turn_even_before_what_is_farthest_counts_most():
+    plan = whole()
+    net = replace(higher(plan, 0.5), smoothness_start=0.9, smoothness=0.87)
+    way = plan.way()
+    next(way)
+    first = way.send(Ended(net))
+    while not first.over:
+        first.step(first.taken + 1, 99, 2)
+    # It takes as many steps as it may, of which the last third is for what is farthest.
+    second = way.send(Ended(replace(higher(plan, 0.3), smoothness=0.9)))
+    assert first.most == 16 and isinstance(second, Along)
+    assert second.most == 24 - first.taken
+    assert second.moving is first.moving and second.moving.worth == plan._tuning.along_worth
 
 
 def test_lines_that_zigzag_give_way_to_even_ones_that_are_on_the_surface_too():
