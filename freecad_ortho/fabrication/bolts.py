@@ -111,13 +111,14 @@ class Bolt:
         Raises:
             InputError: there is none as long.
         """
-        needed = plates + 2 * self.washer + self.nut + self.pitch
+        beside = 2 * self.washer + self.nut + self.pitch
+        needed = plates + beside
         for length in LENGTHS:
             if length >= needed:
                 return float(length)
         raise InputError(
             f"bolt: {self.name} through {plates:g} mm would be {needed:.0f} mm long, the longest "
-            f"is {LENGTHS[-1]} mm; take thinner plates"
+            f"is {LENGTHS[-1]} mm and holds {LENGTHS[-1] - beside:.0f} mm; take thinner plates"
         )
 
     @property

@@ -224,6 +224,7 @@ def test_bolts_that_cannot_be_reached_are_said_in_the_verdict(dodecahedron):
         ({"bolts": 3}, "bolts: expected a whole number, 1 to 2, got 3"),
         ({"bolt": "M17"}, "bolt: expected M12, .* or M30, got 'M17'"),
         ({"hub_wall": 80.5, "hub_diameter": 300}, "hub wall: of M16x100 a wall of 80.5 mm"),
+        ({"clearance": 200.0}, "clearance: M16 do not reach over 200 mm .* take 111 mm at most"),
         ({"hub_diameter": 50}, "hub diameter: 50 mm leave no room for a bolt M16"),
         ({"ends": "mitred"}, "nodes: the beams are mitred .* set ends end-plate"),
     ],

@@ -130,3 +130,8 @@ def test_what_cannot_be_folded_is_refused(options, words):
 def test_glass_is_not_folded():
     with pytest.raises(InputError, match="fold: glass cannot be folded; take steel"):
         build(plane_net(), [Panels(8, 8, fold=40.0)], material=material("glass"))
+
+
+def test_folds_that_no_side_is_long_enough_for_are_refused():
+    with pytest.raises(InputError, match=r"no panel has room for folds 1e.09 mm deep; take less"):
+        build(plane_net(), [Panels(2, 8, fold=1e9)], material=ALUMINIUM)

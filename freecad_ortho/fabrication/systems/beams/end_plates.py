@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_ortho.fabrication.bolts import Bolt, longest_within
+from freecad_ortho.fabrication.bolts import LENGTHS, Bolt, longest_within
 from freecad_ortho.fabrication.part import part_names
 from freecad_ortho.fabrication.sizes import check_size, rounded_down
 from freecad_ortho.fabrication.systems.beams.frames import Around
@@ -52,6 +52,12 @@ class EndPlates:
     def __post_init__(self) -> None:
         if self.own_wall is not None:
             check_size("hub wall", self.own_wall)
+        if self.thread < self.bolt.thread and self.own_wall is None:
+            most = LENGTHS[-1] - self.bolt.washer - self.wall - self.bolt.thread
+            raise InputError(
+                f"clearance: {self.bolt.name} do not reach over {self.clearance:g} mm from the hub "
+                f"to the end plate; take {most:g} mm at most"
+            )
         if self.thread < self.bolt.thread:
             raise InputError(
                 f"hub wall: of {self.bolt.name}x{self.length:g} a wall of {self.wall:g} mm leaves "

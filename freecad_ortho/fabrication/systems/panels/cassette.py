@@ -175,7 +175,9 @@ class Cassette(Body):
 
     @property
     def fits(self) -> bool:
-        """Whether all folds leave something of their sides and of the face."""
+        """Whether there are folds, and all leave something of their sides and of the face."""
+        if not self.folded:
+            return False
         side = np.roll(self.outline, -1, axis=0) - self.outline
         left = np.roll(self.face, -1, axis=0) - self.face
         if (np.einsum("nd,nd->n", left, side) <= 0).any():
@@ -253,8 +255,16 @@ class Cassette(Body):
 
 
 def fold_report(fold: Fold, panels: Sequence[Part]) -> dict[str, object]:
-    """What a report says of folded panels."""
+    """What a report says of folded panels.
+
+    Raises:
+        InputError: none has room for folds.
+    """
     flat = [panel.name for panel in panels if not isinstance(panel.body, Cassette)]
+    if panels and len(flat) == len(panels):
+        raise InputError(
+            f"fold: no panel has room for folds {fold.depth:g} mm deep; take less, or 0 for none"
+        )
     return {
         "cassettes": {
             "depth_mm": fold.depth,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Any, Protocol
 
@@ -81,10 +82,14 @@ def messages_of(report: dict[str, Any], gap: float, material: Material) -> tuple
     messages = []
     bearing = report["bearing_min_mm"]
     if bearing is not None and bearing < material.bearing:
+        wider = "thicker beams or a section with flanges"
+        if bearing > 0:
+            # Half of what beams are wider is on either side, and panels rise a little on them.
+            more = math.ceil(2.2 * (material.bearing - bearing) - 1e-6)
+            wider = f"beams {more} mm thicker or a section that much wider"
         messages.append(
             f"panels: they bear on the beams by {bearing:.3g} mm at the narrowest, "
-            f"{material.name} needs {material.bearing:g} mm; take a smaller gap, thicker beams or "
-            "a section with flanges"
+            f"{material.name} needs {material.bearing:g} mm; take a smaller gap, {wider}"
         )
     if report["corners_cut"] and report["lifted_over_hubs"]:
         messages.append(
