@@ -180,12 +180,27 @@ def is_sawn(part: Part) -> bool:
 
 
 def _alike(parts: Sequence[Part], tolerance: float) -> list[Sequence[Part]]:
-    """Parts that may share a bar: plates of one material, kind and thickness, then tubes."""
+    """Parts that may share a bar: plates of one material, kind and thickness, then tubes.
+
+    Flanges are not cut from strips as wide as webs: of one a third and more would be lost.
+    """
     plates: dict[tuple[str, str, str, float, float], list[Part]] = {}
     for part in parts:
         if part.pattern is not None:
             plates.setdefault(_bar_kind(part), []).append(part)
-    return [*plates.values(), *different_tubes(parts, tolerance)]
+    strips = [strip for some in plates.values() for strip in _by_width(some)]
+    return [*strips, *different_tubes(parts, tolerance)]
+
+
+def _by_width(parts: Sequence[Part]) -> list[list[Part]]:
+    """Plates that are cut from strips of one width, the widest first, each in the order given."""
+    widths, left = {part.name: _width(part) for part in parts}, list(parts)
+    strips = []
+    while left:
+        least = max(widths[part.name] for part in left) / _CURVED
+        strips.append([part for part in left if widths[part.name] >= least])
+        left = [part for part in left if widths[part.name] < least]
+    return strips
 
 
 def _section(parts: Sequence[Part]) -> str:

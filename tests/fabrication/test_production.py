@@ -323,3 +323,16 @@ def test_progress_rises_to_one_with_the_clash_check(structure, monkeypatch):
     assert fractions[0] == 0.0 and fractions == sorted(fractions)
     clash = [fraction for fraction, words in heard if words == "clash check"]
     assert clash == pytest.approx([0.6, 0.68, 0.8, 1.0, 1.0])
+
+
+def test_flanges_are_cut_from_strips_of_their_own_width(roof):
+    """Of strips as wide as webs two thirds would be lost."""
+    parts = build(roof, [Beams(200, 20, section="I", section_width=60)]).parts
+    widths = {part.name: float(part.pattern.size[1]) for part in parts}
+    bars = stock_list(parts, Workshop()).bars
+    assert sorted(name for bar in bars for name in bar.parts) == sorted(widths)
+    for bar in bars:
+        ordered = float(bar.section.split()[1])
+        assert all(ordered / 1.5 - 1 < widths[name] <= ordered for name in bar.parts)
+    flanges = [bar for bar in bars if any("-web" not in name for name in bar.parts)]
+    assert {bar.section for bar in flanges} == {"strip 60 x 20"}

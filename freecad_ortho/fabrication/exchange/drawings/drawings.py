@@ -1,4 +1,4 @@
-"""The set of drawings: a plan, the sheets that plates are cut from, typical node and parts."""
+"""The set of drawings: a plan, sheets that plates are cut from, typical node and parts, holes."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from pathlib import Path
 
 from freecad_ortho.fabrication.drawing_form import PAPERS
 from freecad_ortho.fabrication.exchange.drawings.cut_sheets import sheet_page
+from freecad_ortho.fabrication.exchange.drawings.hole_detail import hole_pages
 from freecad_ortho.fabrication.exchange.drawings.node_detail import node_page
 from freecad_ortho.fabrication.exchange.drawings.page import Page, draw_page
 from freecad_ortho.fabrication.exchange.drawings.part_detail import part_page, typical_parts
@@ -57,4 +58,4 @@ def _pages(production: Production, say: Callable[[float], None]) -> list[Page]:
     for number, (part, alike) in enumerate(parts):
         say(0.4 + 0.6 * number / len(parts))
         pages.append(part_page(production, form, part, alike))
-    return pages
+    return pages + hole_pages(production, form)
