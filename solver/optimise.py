@@ -295,9 +295,9 @@ def _surface(asked: Net, mesh: QuadMesh, wanted: Constraints) -> TriangleSurface
     Raises:
         InputError: it lies farther from the mesh than that is large.
     """
-    if wanted.close_to is None:
+    if wanted.ground is None:
         return surface_of(mesh) if asked.nearest or asked.way.early else None
-    surface, points = TriangleSurface(*wanted.close_to), mesh.vertices[mesh.connectivity.referenced]
+    surface, points = wanted.ground, mesh.vertices[mesh.connectivity.referenced]
     far = float(np.linalg.norm(points - surface.closest(points)[0], axis=1).mean())
     size = float(np.linalg.norm(np.ptp(points, axis=0)))
     if far > size:

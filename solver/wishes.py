@@ -70,7 +70,7 @@ def nearness(
     rest, tuning = problem.at(start), problem.tuning
     used = np.flatnonzero(net.referenced)
     shortest = np.linalg.norm(np.diff(points[net.edges], axis=1), axis=2).min()
-    ground = TriangleSurface(_in_units_of(problem, surface.vertices), surface.triangles)
+    ground = surface.scaled(problem.centre, problem.scale)
     lifts = halfway(net, points, ground, tuning)
     borders = (OnCurve(loop, Polyline(points[loop], closed=True)) for loop in net.boundary_loops)
     return [

@@ -38,9 +38,13 @@ class BoxTree:
 
     Level by level the triangles of a box are halved at the median of their middles along the
     longest side. Empty places have boxes that are infinitely far away.
+
+    Args:
+        corners: (T, 3, 3) of the triangles.
+        order: of the tree of the same triangles elsewhere or in another unit, which serves here.
     """
 
-    def __init__(self, corners: FloatArray) -> None:
+    def __init__(self, corners: FloatArray, order: IntArray | None = None) -> None:
         lower, upper = corners.min(axis=1), corners.max(axis=1)
         middles = corners.mean(axis=1)
         self.sizes = np.linalg.norm(upper - lower, axis=1)
@@ -54,10 +58,11 @@ class BoxTree:
         # Numbers of neighbours: of a list, a query gives a row to each point even of one.
         self._neighbours = list(range(1, 1 + min(_NEIGHBOURS, count)))
         depth = int(np.ceil(np.log2(count))) if count > 1 else 0
-        order = np.concatenate([np.arange(count), np.full(2**depth - count, -1)])
-        for level in range(depth):
-            order = _halve(order.reshape(2**level, -1), middles).ravel()
-        self._order = order
+        if order is None:
+            order = np.concatenate([np.arange(count), np.full(2**depth - count, -1)])
+            for level in range(depth):
+                order = _halve(order.reshape(2**level, -1), middles).ravel()
+        self.order = order
         empty = (order < 0)[:, None]
         self._lower = [np.where(empty, np.inf, lower[order])]
         self._upper = [np.where(empty, -np.inf, upper[order])]
@@ -127,7 +132,7 @@ class BoxTree:
                     waiting += np.array_split(chosen, 2)
                     break
             else:
-                yield index, self._order[box]
+                yield index, self.order[box]
 
 
 def _first_of_nearest(index: IntArray, item: IntArray, distance: FloatArray) -> IntArray:

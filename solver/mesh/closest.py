@@ -6,6 +6,7 @@ and no neighbourhood is guessed, so a point gets its true closest point wherever
 
 from __future__ import annotations
 
+from copy import copy
 from functools import cached_property
 
 import numpy as np
@@ -47,6 +48,8 @@ class TriangleSurface:
             )
         self._corners = self.vertices[self.triangles]
         self._boxes = BoxTree(self._corners)
+        # Of the same triangles elsewhere, where this was made from those.
+        self._elsewhere: TriangleSurface | None = None
         self._normals, self._side_normals, self._corner_normals = pseudo_normals(
             self._corners, self.triangles
         )
@@ -62,6 +65,20 @@ class TriangleSurface:
         )
         turned = np.where((second < first)[:, None], np.roll(quads, -1, axis=1), quads)
         return cls(points, np.concatenate([turned[:, [0, 1, 2]], turned[:, [0, 2, 3]]]))
+
+    def scaled(self, centre: FloatArray, scale: float) -> TriangleSurface:
+        """The same about another origin and in another unit; what has no unit is taken over.
+
+        Args:
+            centre: (3,) the new origin.
+            scale: the new unit.
+        """
+        other = copy(self)
+        other.vertices = _points((self.vertices - centre) / scale, "vertices")
+        other._corners = other.vertices[self.triangles]
+        other._boxes = BoxTree(other._corners, self._boxes.order)
+        other._elsewhere = self
+        return other
 
     def closest(self, points: ArrayLike) -> tuple[FloatArray, FloatArray]:
         """Return the closest points and the normals of the tangent planes there.
@@ -118,6 +135,8 @@ class TriangleSurface:
 
     @cached_property
     def _open(self) -> tuple[BoolArray, BoolArray]:
+        if self._elsewhere is not None:
+            return self._elsewhere._open
         return open_sides(self.vertices, self.triangles)
 
     def _pseudo_normals(self, hit: Hit) -> FloatArray:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -91,6 +92,11 @@ class Constraints:
     close_to: tuple[FloatArray, IntArray] | None = None
     symmetry: str = ""
 
+    @cached_property
+    def ground(self) -> TriangleSurface | None:
+        """The surface to stay near, which answers where its closest points are; made once."""
+        return None if self.close_to is None else TriangleSurface(*self.close_to)
+
     def about(self, origin: LocalOrigin) -> Constraints:
         """The same in coordinates about a local origin.
 
@@ -129,9 +135,8 @@ def add_constraints(problem: Problem, wanted: Constraints, closeness: float) -> 
     _add_handles(problem, wanted.handles)
     for glide in wanted.glide:
         _add_glide(problem, glide)
-    if wanted.close_to is not None:
-        points, triangles = wanted.close_to
-        surface = TriangleSurface(_to_solver(problem, points), triangles)
+    if wanted.ground is not None:
+        surface = wanted.ground.scaled(problem.centre, problem.scale)
         used = np.flatnonzero(problem.mesh.connectivity.referenced)
         weight = problem.tuning.close_to * closeness
         problem.guide(OnSurface(used, surface, name="close to surface"), weight)

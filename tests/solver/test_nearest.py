@@ -7,6 +7,7 @@ from solver import Constraints, NetOptions, QuadMesh, optimise, start_optimisati
 from solver.analysis import measures
 from solver.analysis.form import off_surface, surface_of
 from solver.candidate import judge
+from solver.mesh import box_tree
 from solver.mesh.closest import TriangleSurface
 from solver.mesh.grid import grid_faces, grid_mesh
 from solver.nearest import NearestNet
@@ -128,6 +129,23 @@ def test_what_is_farthest_counts_most_and_is_kept_only_if_nearer(run, start, sur
     # Where it comes no nearer by that, squares are lowered to their end.
     over = optimise(start, constraints=near, tuning=Tuning(peak=1e-4)).report.form.off_surface
     assert over.max <= 1.02 * flat.max
+
+
+def test_boxes_of_a_surface_are_sorted_twice_however_many_units_it_is_asked_in(
+    start, surface, monkeypatch
+):
+    """To tell whether it reaches as far as the mesh, and then for all phases."""
+    halve, sorted_ = box_tree._halve, []
+
+    def counted(groups, middles):
+        if len(groups) == 1 and len(middles) == len(surface[1]):
+            sorted_.append(len(middles))
+        return halve(groups, middles)
+
+    monkeypatch.setattr(box_tree, "_halve", counted)
+    outcome = optimise(start, constraints=Constraints(close_to=surface))
+    assert outcome.report.attempts > 1
+    assert len(sorted_) == 2
 
 
 def test_stopped_in_the_last_phase_the_net_is_kept(start, surface):

@@ -287,3 +287,20 @@ def test_bad_surfaces_are_refused(vertices, triangles, words):
 def test_bad_polylines_are_refused(points, words):
     with pytest.raises(InputError, match=words):
         Polyline(points)
+
+
+def test_a_surface_in_another_unit_answers_as_one_that_is_made_there():
+    mesh, rng = wavy_grid(9, 8), np.random.default_rng(4)
+    surface = TriangleSurface.from_quads(mesh)
+    centre, scale = np.array([1.0, -2.0, 0.5]), 0.3
+    moved = surface.scaled(centre, scale)
+    anew = TriangleSurface((surface.vertices - centre) / scale, surface.triangles)
+    assert moved.vertices.tobytes() == anew.vertices.tobytes()
+    # Over the surface and beyond its border, where it has to know which sides are on that.
+    low, high = anew.vertices.min(axis=0) - 1.0, anew.vertices.max(axis=0) + 1.0
+    points = rng.uniform(low, high, (300, 3))
+    for mine, other in zip(moved.beside(points), anew.beside(points), strict=True):
+        np.testing.assert_allclose(mine, other, atol=1e-12)
+    assert np.abs(moved.beside(points)[2]).max() > 0
+    # The first one is as it was.
+    assert np.abs(surface.closest(mesh.vertices)[0] - mesh.vertices).max() < 1e-12
