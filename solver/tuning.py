@@ -126,7 +126,8 @@ class Tuning:
         peak_begin: once steps lower the wishes by less than this part of them,
         peak_worth: until they lower those fourth powers by less than this part: of the distances
             that is a quarter of a percent,
-        peak_cost: and only where that costs no more than this of the evenness of lines.
+        peak_cost: and only where that costs no more than this of the evenness of lines,
+        peak_even: or leaves this much of it.
         peak_late: part of the steps after which it follows where the way is long and lines have
             no evenness to lose.
         inside: part of a distance that is allowed from which on it weighs
@@ -284,6 +285,7 @@ class Tuning:
     peak_begin: float = 0.05
     peak_worth: float = 0.01
     peak_cost: float = 0.04
+    peak_even: float = 0.9
     peak_late: float = 0.67
     inside: float = 0.8
     forbidden: float = 100.0

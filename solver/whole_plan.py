@@ -195,7 +195,7 @@ class WholePlan:
             return found
         nearest.sharpen(tuning.along_worth if course.late else tuning.peak_worth)
         sharp = self._ended((yield Along(nearest, reached, most - attempt.taken)))
-        kept = sharp.smoothness >= found.smoothness - tuning.peak_cost
+        kept = sharp.smoothness >= min(found.smoothness - tuning.peak_cost, tuning.peak_even)
         kept = kept and last_phase.is_sound(sharp, found) and last_phase.is_whole(sharp, net)
         if kept and self._far(sharp) < self._far(found):
             return sharp

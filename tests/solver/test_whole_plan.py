@@ -77,13 +77,23 @@ def test_one_that_has_no_long_way_to_go_is_brought_nearer_at_its_farthest_place(
     assert plan.best.so_far() is sharp
     # Where it comes no nearer by that, or at the price of even lines or of area, what was lowered
     # before is lowered to its end.
-    dear = replace(sharp, smoothness=first.smoothness - 0.05)
+    first = replace(first, smoothness=0.92)
+    dear = replace(sharp, smoothness=0.87)
     shrunk = replace(sharp, area_ratio=0.8 * net.area_ratio)
     for worse in (net, uneven(plan), dear, shrunk):
         plan = whole()
         kinds, status = told(plan, Ended(net), Ended(first), Ended(worse), Ended(sharp))
         assert (kinds, status) == ([Attempt, Along, Along, Along], CONVERGED)
         assert plan.best.so_far() is sharp
+
+
+def test_evenness_that_is_more_than_enough_may_go_where_the_largest_distance_falls():
+    plan = whole()
+    net, first, sharp = (higher(plan, height) for height in (0.1, 0.08, 0.06))
+    first, sharp = replace(first, smoothness=0.98), replace(sharp, smoothness=0.91)
+    kinds, status = told(plan, Ended(net), Ended(first), Ended(sharp))
+    assert (kinds, status) == ([Attempt, Along, Along], CONVERGED)
+    assert plan.best.so_far() is sharp
 
 
 def test_lines_without_evenness_to_lose_turn_even_before_what_is_farthest_counts_most():
