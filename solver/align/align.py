@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.spatial import cKDTree
 
-from solver.align.cells import Quads, quads
+from solver.align.cells import Quads, crossing, quads
 from solver.align.crosses import Crosses, Singular
 from solver.align.cut import Cut, cut_open
 from solver.align.features import Features
@@ -39,6 +39,7 @@ from solver.align.remarks import (
 )
 from solver.align.seamless import FIRM, Map, seamless_map
 from solver.align.seams import seams
+from solver.align.slide import slid
 from solver.align.symmetry import (
     Mirror,
     along_planes,
@@ -165,6 +166,8 @@ def aligned(
         say_border(work.mesh, guide, edge, remarks)
     say_strokes(work.mesh, guide, lines, edge, net, remarks)
     asked = _Asked.of(work, guide, (edge, edge * ratio), follows, lines, singularities, mirrors)
+    # A stroke is followed, and a border, at the price of right angles.
+    asked = replace(asked, slides=net == "principal" and not follows and not strokes)
     mesh, field = _mapped(asked, waiting, remarks)
     say_openings(smooth, loops, mesh, remarks)
     say_bunched(mesh, min(edge, edge * ratio), remarks)
@@ -222,7 +225,7 @@ def _rounded(length: float) -> str:
 
 @dataclass(frozen=True, eq=False)
 class _Asked:
-    """A surface, and what a net on it is to follow."""
+    """A surface, and what a net on it is to follow; whether its vertices slide to right angles."""
 
     work: Work
     guide: GuidingField
@@ -230,6 +233,7 @@ class _Asked:
     edges: tuple[float, float]
     singular: Wanted | None
     mirrors: Sequence[Mirror] = ()
+    slides: bool = False
 
     @classmethod
     def of(
@@ -349,14 +353,14 @@ def _trials(asked: _Asked, waiting: Callable[[str], object]) -> Iterator[_Trial]
             waiting("quads")
             found = quads(mesh, cut, made, work.covered)
             close = (calm, firm) == (_CALM[0], FIRM[0])
-            crossing, torn = _crossing(found), _torn(mesh, cut, made, found, min(edges))
-            if work.covered > work.inner and (crossing is not None or torn):
+            crossed, torn = crossing(found), _torn(mesh, cut, made, found, min(edges))
+            if work.covered > work.inner and (crossed is not None or torn):
                 # Beyond the border lines may do so: the surface is covered without that strip.
                 less = quads(mesh, cut, made, work.inner)
-                if crossing is not None or _crossing(less) is None:
-                    found, crossing = less, _crossing(less)
-            if crossing is not None:
-                refusal = f"map: lines run into each other near {at(crossing)}; {_REMEDY}"
+                if crossed is not None or crossing(less) is None:
+                    found, crossed = less, crossing(less)
+            if crossed is not None:
+                refusal = f"map: lines run into each other near {at(crossed)}; {_REMEDY}"
                 yield _Trial(field, close, refusal=refusal)
                 continue
             places = carried_on(mesh, cut, made, found)
@@ -368,6 +372,8 @@ def _trials(asked: _Asked, waiting: Callable[[str], object]) -> Iterator[_Trial]
                 yield _Trial(field, close, refusal=refusal)
                 continue
             try:
+                if asked.slides:
+                    net = slid(net, mesh, asked.features.ends(mesh))
                 net = symmetric_net(net, asked.mirrors, edges[0])
             except InputError as error:
                 yield _Trial(field, close, refusal=str(error))
@@ -382,18 +388,3 @@ def _trials(asked: _Asked, waiting: Callable[[str], object]) -> Iterator[_Trial]
 def _torn(mesh: TriangleMesh, cut: Cut, made: Map, found: Quads, edge: float) -> bool:
     """Whether a net meets itself, as over an opening, where it would come apart."""
     return bool(cKDTree(carried_on(mesh, cut, made, found)).query_pairs(_TORN * edge))
-
-
-def _crossing(found: Quads) -> FloatArray | None:
-    """A place where faces overlap, if there is one."""
-    sides = np.stack([found.faces, np.roll(found.faces, -1, axis=1)], axis=2).reshape(-1, 2)
-    pairs, counts = np.unique(sides, axis=0, return_counts=True)
-    wrong = np.concatenate(
-        [
-            pairs[counts > 1][:, 0],
-            found.faces[found.faces[:, 0] == found.faces[:, 2]][:, 0],
-            found.faces[found.faces[:, 1] == found.faces[:, 3]][:, 1],
-            pairs[pairs[:, 0] == pairs[:, 1]][:, 0],
-        ]
-    )
-    return found.places[wrong[0]] if len(wrong) else None

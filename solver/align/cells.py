@@ -328,3 +328,18 @@ def _placed(
         at.reshape(-1, 2)[best],
         joined,
     )
+
+
+def crossing(found: Quads) -> FloatArray | None:
+    """A place where faces overlap, if there is one."""
+    sides = np.stack([found.faces, np.roll(found.faces, -1, axis=1)], axis=2).reshape(-1, 2)
+    pairs, counts = np.unique(sides, axis=0, return_counts=True)
+    wrong = np.concatenate(
+        [
+            pairs[counts > 1][:, 0],
+            found.faces[found.faces[:, 0] == found.faces[:, 2]][:, 0],
+            found.faces[found.faces[:, 1] == found.faces[:, 3]][:, 1],
+            pairs[pairs[:, 0] == pairs[:, 1]][:, 0],
+        ]
+    )
+    return found.places[wrong[0]] if len(wrong) else None

@@ -49,6 +49,10 @@ class Features:
         start, end = (mesh.points[side[edges]] for side in mesh.ends)
         return cls(edges, unit_rows(end - start), np.full(len(edges), _BESIDE), _none(edges))
 
+    def ends(self, mesh: TriangleMesh) -> IntArray:
+        """(K, 2) points at both ends of the edges."""
+        return np.stack([side[self.edges] for side in mesh.ends], axis=1)
+
     def and_others(self, others: Features) -> Features:
         """Both."""
         return Features(
