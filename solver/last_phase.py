@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from solver.analysis.form import off_surface
+from solver.analysis.measures import slant
 from solver.candidate import Candidate
 from solver.mesh.closest import TriangleSurface
 from solver.problem import Problem
@@ -28,6 +29,8 @@ class Aim:
         nearest: of all such nets the one nearest to the surface is what was asked for.
         early: a net that is not good is first led on by the last phase, then by other attempts.
         late: a good net is led on too, as one near to the surface is wanted.
+        righted: a net that is not good, or whose corners are far from upright, is led on to one
+            more like the start.
         thick: no flatter net than the start is what was asked for, near to a surface or not.
     """
 
@@ -36,6 +39,7 @@ class Aim:
     nearest: bool = False
     early: bool = False
     late: bool = True
+    righted: bool = False
     thick: bool = False
 
     @property
@@ -52,6 +56,7 @@ def wishes_of(
     within: float | None,
     near: bool,
     early: bool,
+    righted: bool = False,
 ) -> list[Wish]:
     """Handles at their goals where there are any, else the surface.
 
@@ -63,12 +68,13 @@ def wishes_of(
         within: distance from the surface from which on it weighs more.
         near: the net nearly is on the surface.
         early: other attempts would follow.
+        righted: corners are to turn upright.
     """
     pull = pull_of(problem)
     if pull is not None:
         return drawn(problem, original.mesh, pull)
     assert surface is not None
-    return nearness(problem, original.mesh, surface, evenness, within, near, early)
+    return nearness(problem, original.mesh, surface, evenness, within, near, early, righted)
 
 
 def has_a_wish(net: Candidate, original: Problem, surface: TriangleSurface | None) -> bool:
@@ -95,12 +101,14 @@ class AlongCourse(NamedTuple):
         near: the net nearly is on the surface.
         sharp: another attempt follows that lowers the largest distance,
         late: and so it does here, but only after most of the steps: lines have to turn even first.
+        righted: corners are to turn upright, and the border holds.
     """
 
     evenness: float
     near: bool = False
     sharp: bool = False
     late: bool = False
+    righted: bool = False
 
 
 def course_from(
@@ -146,6 +154,34 @@ def is_enough(found: Candidate) -> bool:
     """Whether other attempts are needless after a last phase that came early."""
     least = found.tuning.alike
     return found.good and least <= found.area_ratio <= 1 / least
+
+
+def is_upright(net: Candidate) -> bool:
+    """Whether no corner of a face is far from upright."""
+    return slant(net.mesh) <= net.tuning.slanted
+
+
+def is_as_whole(found: Candidate, before: Candidate) -> bool:
+    """Whether it has the start's area, or is no farther from it than the net before it."""
+    least = min(found.tuning.alike, _whole(before))
+    return _whole(found) >= least
+
+
+def faithful(net: Candidate, far: float) -> float:
+    """What is left of the start: area, even lines, edges, upright corners, place; 1 is all of it.
+
+    Args:
+        net: that was reached.
+        far: how far it is off the start, as part of its size.
+    """
+    edges = 1.0 - max(net.tuning.roomy - net.kept, 0.0)
+    beyond = max(slant(net.mesh) - net.tuning.slanted, 0.0) / (90.0 - net.tuning.slanted)
+    return _whole(net) * (1.0 - net.roughened) * edges * (1.0 - beyond) * (1.0 - far)
+
+
+def _whole(net: Candidate) -> float:
+    """Area over that of the start, or its inverse where it grew."""
+    return min(net.area_ratio, 1.0 / max(net.area_ratio, 1e-9))
 
 
 def verdict(net: Candidate, meant: bool) -> str:

@@ -240,6 +240,7 @@ def start_optimisation(
     near = wanted.close_to is None or (surface is not None and _lies_on(mesh, surface))
     stay = not once and not wanted.handles and near
     late = asked.nearest or wanted.close_to is not None
+    righted = asked.way.righted and not once
     return Optimisation(
         plan.original,
         plan.way,
@@ -250,7 +251,9 @@ def start_optimisation(
         remarks,
         held,
         origin,
-        aim=Aim(surface, within, asked.nearest, asked.way.early, late, asymptotic),
+        aim=Aim(
+            surface, within, asked.nearest, asked.way.early, late, righted and not late, asymptotic
+        ),
         repeat=wish,
     )
 
@@ -296,7 +299,8 @@ def _surface(asked: Net, mesh: QuadMesh, wanted: Constraints) -> TriangleSurface
         InputError: it lies farther from the mesh than that is large.
     """
     if wanted.ground is None:
-        return surface_of(mesh) if asked.nearest or asked.way.early else None
+        early = asked.way.early or asked.way.righted
+        return surface_of(mesh) if asked.nearest or early else None
     surface, points = wanted.ground, mesh.vertices[mesh.connectivity.referenced]
     far = float(np.linalg.norm(points - surface.closest(points)[0], axis=1).mean())
     size = float(np.linalg.norm(np.ptp(points, axis=0)))

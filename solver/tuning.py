@@ -92,6 +92,12 @@ class Tuning:
         along_rough: of such a one whose lines have no evenness to lose,
         along_early: of one that is led on early because its lines zigzag,
         along_evener: and in another attempt where they zigzag after that.
+        slanted: nets of right angles whose corners are farther from upright than so many degrees,
+            or that are not good, are led on along the nets to one more like the start;
+        righting: from so many radians on corners are pushed back there,
+        righted_evenness: with these weights of even lines, one after the other, until one will do,
+        righted_border: with this one of the border,
+        righted_guard: and with this one of what the guards keep.
         along_steps: the last phase takes as many steps as there were before, or so many:
         nearest_steps: more where to be near is what was asked for,
         early_steps: and where it comes early.
@@ -257,6 +263,11 @@ class Tuning:
     along_rough: float = 0.8
     along_early: float = 0.1
     along_evener: float = 1.0
+    slanted: float = 30.0
+    righting: float = 0.47
+    righted_evenness: tuple[float, ...] = (1.0, 0.1)
+    righted_border: float = 0.3
+    righted_guard: float = 10.0
     along_steps: int = 24
     nearest_steps: int = 60
     early_steps: int = 40

@@ -87,6 +87,8 @@ class WholePlan:
         net = yield from self._to_a_net()
         if self._may_go_nearer(net):
             net = yield from self._nearer(net)
+        elif self._may_be_righted(net):
+            net = yield from self._righted(net)
         return (yield from self.from_net(net))
 
     def from_net(self, net: Candidate) -> WholeWay:
@@ -171,17 +173,38 @@ class WholePlan:
             best = self._kept(found, best)
         return best
 
+    def _righted(self, net: Candidate) -> Whole:
+        """Along the nets to one that is more like the start, with even lines weighing ever less."""
+        best, tuning = self.best.so_far() or net, self._tuning
+        before = best
+        for evenness in tuning.righted_evenness:
+            course = AlongCourse(evenness, righted=True)
+            found = yield from self._along(before, course, early=False)
+            sound = last_phase.is_sound(found, best) and last_phase.is_as_whole(found, before)
+            if sound and self._faithful(found) > self._faithful(best):
+                best = self._keep(found)
+            if not self._may_go_on or (best.good and last_phase.is_upright(best)):
+                break
+        return best
+
+    def _faithful(self, net: Candidate) -> float:
+        size = np.linalg.norm(np.ptp(self.original.mesh.vertices, axis=0))
+        return last_phase.faithful(net, self._far(net) / float(size))
+
     def _along(
         self, net: Candidate, course: AlongCourse, early: bool, limit: float | None = None
     ) -> Whole:
         """One attempt along the nets, and one more for the largest distance: what they reached."""
         tuning, near = self._tuning, course.near
         asks = self.original, self.aim.surface, course.evenness, limit, near, early
-        wishes = last_phase.wishes_of(net.problem, *asks)
+        wishes = last_phase.wishes_of(net.problem, *asks, course.righted)
         nearest = NearestNet(net.problem, net.x, wishes, self._backend)
         # Nobody asked for what is tried beside a surface, so that it may not take long.
         asked = limit is not None and self.aim.within is not None
         before = len(self._history) if asked or not self._pressed else 0
+        if course.righted:
+            # All of these together may take as long as what came before.
+            before //= len(tuning.righted_evenness)
         most = last_phase.most_steps(tuning, before, asked or self.aim.nearest, early)
 
         def reached() -> Candidate:
@@ -247,6 +270,12 @@ class WholePlan:
         wanted = net is not self._mended and (self.aim.late or self._pulled)
         sound = wanted and not self._stopped and net.valid and not net.gone
         return sound and self._has_a_wish(net)
+
+    def _may_be_righted(self, net: Candidate) -> bool:
+        """Whether what is left of the start is to grow along the nets."""
+        wanted = self.aim.righted and not self._pulled and not self._stopped
+        sound = wanted and self._steps_left > 0 and net.valid and not net.flattened
+        return sound and not (net.good and last_phase.is_upright(net))
 
     def _has_a_wish(self, net: Candidate) -> bool:
         best = self.best.so_far() or net

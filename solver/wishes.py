@@ -47,6 +47,7 @@ def nearness(
     within: float | None = None,
     near: bool = False,
     early: bool = False,
+    righted: bool = False,
 ) -> list[Wish]:
     """Wish for a net on a surface whose lines run as evenly as those of the start did.
 
@@ -65,6 +66,8 @@ def nearness(
         within: distance from the surface, in model units, from which on it weighs more.
         near: the net nearly is on the surface: short edges need not give way.
         early: other attempts would follow, so that corners may stay more upright.
+        righted: corners are to turn upright, also where those of the start are not; border and
+            edges hold the more.
     """
     net, points = problem.mesh.connectivity, _in_units_of(problem, start.vertices)
     rest, tuning = problem.at(start), problem.tuning
@@ -72,6 +75,12 @@ def nearness(
     shortest = np.linalg.norm(np.diff(points[net.edges], axis=1), axis=2).min()
     ground = surface.scaled(problem.centre, problem.scale)
     lifts = halfway(net, points, ground, tuning)
+    room = tuning.roomy if near or righted else tuning.room
+    corners = CornerGuard.of(net.quads, points, tuning.slants[early])
+    guard, held = tuning.along_guard, tuning.along_border
+    if righted:
+        corners = CornerGuard(net.quads, np.full((len(net.quads), 4), tuning.righting))
+        guard, held = tuning.righted_guard, tuning.righted_border
     borders = (OnCurve(loop, Polyline(points[loop], closed=True)) for loop in net.boundary_loops)
     return [
         Wish(NearSurface(used, ground, lifts[used]), 1.0),
@@ -81,9 +90,9 @@ def nearness(
         *(Wish(ring, tuning.along_motion) for ring in umbrellas(net, rest)),
         Wish(Closeness(used, points[used]), tuning.along_closeness),
         Wish(Orthogonality(net.quads, name="right angles"), tuning.along_squareness * evenness),
-        *(Wish(border, tuning.along_border) for border in borders),
-        *_guards(net, shortest, tuning.roomy if near else tuning.room, tuning),
-        Wish(CornerGuard.of(net.quads, points, tuning.slants[early]), tuning.along_guard),
+        *(Wish(border, held) for border in borders),
+        *_guards(net, shortest, room, tuning, guard),
+        Wish(corners, guard),
     ]
 
 
@@ -133,7 +142,7 @@ def drawn(problem: Problem, start: QuadMesh, pull: Pull) -> list[Wish]:
     return [
         Wish(Closeness(pull.vertices, goals, name=pull.name), 1.0),
         Wish(Fairness(net.line_triples, rest, "smooth motion"), problem.tuning.along_motion),
-        *_guards(net, shortest, problem.tuning.room, problem.tuning),
+        *_guards(net, shortest, problem.tuning.room, problem.tuning, problem.tuning.along_guard),
     ]
 
 
@@ -164,11 +173,13 @@ def pull_of(problem: Problem) -> Pull | None:
     return next((term for term in terms if isinstance(term, Pull)), None)
 
 
-def _guards(net: Connectivity, shortest: float, room: float, tuning: Tuning) -> list[Wish]:
+def _guards(
+    net: Connectivity, shortest: float, room: float, tuning: Tuning, weight: float
+) -> list[Wish]:
     """Edges stay long and faces open, and what is so already feels nothing."""
     return [
-        Wish(EdgeGuard(net.edges, room * shortest), tuning.along_guard),
-        Wish(FaceGuard(net.quads, tuning.upright), tuning.along_guard),
+        Wish(EdgeGuard(net.edges, room * shortest), weight),
+        Wish(FaceGuard(net.quads, tuning.upright), weight),
     ]
 
 

@@ -272,6 +272,12 @@ def face_angles(mesh: QuadMesh) -> FloatArray:
     return _angles(np.roll(points, -1, axis=1) - points, np.roll(points, 1, axis=1) - points)
 
 
+def slant(mesh: QuadMesh) -> float:
+    """Largest deviation of a corner of a face from a right angle, in degrees."""
+    off = np.abs(face_angles(mesh) - 0.5 * np.pi)
+    return float(np.degrees(off.max(initial=0.0)))
+
+
 def star_angles(mesh: QuadMesh, diagonal: bool = False) -> FloatArray:
     """(S, 4) angles between consecutive edges of each interior star, in radians."""
     spokes = star_spokes(mesh, diagonal)

@@ -116,7 +116,7 @@ NETS = (
         ),
         options=("diagonal", "radius", "singular"),
         begins_as="cmc",
-        way=Way(evenness=(3.0, 30.0)),
+        way=Way(evenness=(3.0, 30.0), righted=True),
     ),
     Net(
         "snet",

@@ -92,6 +92,8 @@ class Way:
             drawn even.
         early: a net whose lines zigzag is led on along the nets, near to the start where no other
             surface is given, before other guides are tried.
+        righted: a net with sharp corners, or one that shrank or zigzags, whatever was tried, is led
+            on along the nets to one more like the start.
     """
 
     easier: tuple[Easier, ...] = ()
@@ -101,6 +103,7 @@ class Way:
     evenness: tuple[float, ...] = (1.0,)
     calms: bool = False
     early: bool = False
+    righted: bool = False
 
 
 @dataclass(frozen=True)

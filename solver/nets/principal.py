@@ -132,7 +132,7 @@ NETS = (
         gives="Flat faces, each with a circle through its corners.",
         measures=(PLANARITY, Measure("circular", measures.circular, "face")),
         along_curvature=True,
-        way=Way(easier=(Easier("principal"),)),
+        way=Way(easier=(Easier("principal"),), righted=True),
     ),
     Net(
         "conical",

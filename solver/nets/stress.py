@@ -148,6 +148,7 @@ NETS = (
             ),
             guarded=True,
             early=True,
+            righted=True,
         ),
     ),
 )

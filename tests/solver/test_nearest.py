@@ -279,6 +279,20 @@ def test_wishes_measure_in_the_units_of_the_problem(start, surface):
     assert np.abs(near.linearise(lifted).residual).max() <= 1e-2
 
 
+def test_corners_that_were_never_upright_are_wished_upright_where_that_is_asked_for(start, surface):
+    points = start.vertices + 0.8 * start.vertices[:, [1]] * [1.0, 0.0, 0.0]
+    sheared = start.with_vertices(points)
+    problem = Problem("principal", sheared, np.zeros(len(points), dtype=bool))
+    asks = problem, sheared, TriangleSurface(*surface), 0.03
+    pushed, held = [], []
+    for righted in (False, True):
+        wishes = {wish.term.name: wish for wish in nearness(*asks, righted=righted)}
+        term = wishes["corner guard"].term
+        pushed.append(np.abs(term.linearise(problem.start).residual).max())
+        held.append(wishes["glide"].weight)
+    assert pushed[0] == 0 and pushed[1] > 0.1 and held[1] > 10 * held[0]
+
+
 def test_vertices_are_wanted_halfway_between_a_surface_and_the_middles_of_faces():
     radius, edge = 10.0, 1.0
 

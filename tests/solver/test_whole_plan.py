@@ -22,6 +22,7 @@ from tests.solver.test_plan import planner
 START = wavy_grid(7, 6)
 NEAR, FAR = Aim(surface_of(START)), Aim(surface_of(START), within=1e-9)
 EARLY = Aim(surface_of(START), early=True, late=False)
+RIGHTED = Aim(surface_of(START), late=False, righted=True)
 
 
 def whole(net: str = "principal", aim: Aim = NEAR, history=(), **wants) -> WholePlan:
@@ -159,6 +160,28 @@ def test_a_net_that_asks_for_it_is_mended_along_the_nets_before_other_attempts()
     # A good one needs nothing.
     plan = whole("stress", EARLY)
     assert told(plan, Ended(good)) == ([Attempt], CONVERGED)
+
+
+def test_what_no_attempt_made_good_is_led_on_to_what_is_more_like_the_start():
+    plan = whole("cmc", RIGHTED)
+    bad, better = uneven(plan), higher(plan, 0.02)
+    kinds, status = told(plan, *3 * [Ended(bad)], Ended(better))
+    assert kinds == [*3 * [Attempt], Along] and status == CONVERGED
+    assert plan.best.so_far() is better
+    # With less of its area it is not; the next weight of even lines is tried.
+    plan = whole("cmc", RIGHTED)
+    small = reached(plan, better.mesh, area_ratio=0.93)
+    kinds, status = told(plan, *3 * [Ended(bad)], Ended(small), Ended(small))
+    assert kinds == [*3 * [Attempt], Along, Along] and status == CONVERGED
+    assert plan.best.so_far() is bad
+    # A good one with upright corners needs nothing.
+    plan = whole("cmc", RIGHTED)
+    assert told(plan, Ended(reached(plan))) == ([Attempt], CONVERGED)
+    # With sharp ones it does.
+    points = START.vertices + 0.7 * START.vertices[:, [1]] * [1.0, 0.0, 0.0]
+    plan = whole("cmc", RIGHTED)
+    sharp = reached(plan, START.with_vertices(points))
+    assert sharp.good and told(plan, Ended(sharp))[0] == [Attempt, Along]
 
 
 def test_an_easier_net_is_a_start_and_no_result():

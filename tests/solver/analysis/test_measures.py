@@ -16,6 +16,7 @@ from solver.analysis.spheres import (
     star_curvatures,
 )
 from tests.conftest import grid_faces, surface_of_revolution, wavy_grid
+from tests.meshes import grid, parameters
 
 
 def sphere_patch(radius: float, count: int = 9, width: float = 0.8) -> QuadMesh:
@@ -179,3 +180,9 @@ def test_check_of_a_mesh_without_interior_vertices():
 def test_a_mesh_without_stars_has_no_curvatures():
     curvatures, normals = star_curvatures(single([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]))
     assert (curvatures.shape, normals.shape) == ((0,), (0, 3))
+
+
+def test_slant_is_the_angle_of_the_worst_corner_from_upright():
+    x, y = parameters(3, 3, 2.0, 2.0)
+    assert measures.slant(grid(x, y, 0 * x)) == pytest.approx(0.0, abs=1e-6)
+    assert measures.slant(grid(x + y, y, 0 * x)) == pytest.approx(45.0)
