@@ -16,7 +16,7 @@ from scipy.spatial import cKDTree
 
 from solver.align.cells import Quads, crossing, quads
 from solver.align.crosses import Crosses, Singular
-from solver.align.cut import Cut, cut_open
+from solver.align.cut import cut_open
 from solver.align.features import Features
 from solver.align.field import DirectionField, GuidingField, smooth_field
 from solver.align.given import Wanted, given_field
@@ -37,7 +37,7 @@ from solver.align.remarks import (
     say_strokes,
     short_edges,
 )
-from solver.align.seamless import FIRM, Map, seamless_map
+from solver.align.seamless import FIRM, seamless_map
 from solver.align.seams import seams
 from solver.align.slide import slid
 from solver.align.symmetry import (
@@ -353,17 +353,18 @@ def _trials(asked: _Asked, waiting: Callable[[str], object]) -> Iterator[_Trial]
             waiting("quads")
             found = quads(mesh, cut, made, work.covered)
             close = (calm, firm) == (_CALM[0], FIRM[0])
-            crossed, torn = crossing(found), _torn(mesh, cut, made, found, min(edges))
-            if work.covered > work.inner and (crossed is not None or torn):
+            crossed = crossing(found)
+            places = found.places if crossed is not None else carried_on(mesh, cut, made, found)
+            if work.covered > work.inner and (crossed is not None or _torn(places, min(edges))):
                 # Beyond the border lines may do so: the surface is covered without that strip.
                 less = quads(mesh, cut, made, work.inner)
                 if crossed is not None or crossing(less) is None:
                     found, crossed = less, crossing(less)
+                    places = carried_on(mesh, cut, made, found) if crossed is None else places
             if crossed is not None:
                 refusal = f"map: lines run into each other near {at(crossed)}; {_REMEDY}"
                 yield _Trial(field, close, refusal=refusal)
                 continue
-            places = carried_on(mesh, cut, made, found)
             try:
                 net = unfolded(quad_mesh(places, found.faces.tolist())[0], mesh)
             except InputError as error:
@@ -385,6 +386,6 @@ def _trials(asked: _Asked, waiting: Callable[[str], object]) -> Iterator[_Trial]
                 break
 
 
-def _torn(mesh: TriangleMesh, cut: Cut, made: Map, found: Quads, edge: float) -> bool:
+def _torn(places: FloatArray, edge: float) -> bool:
     """Whether a net meets itself, as over an opening, where it would come apart."""
-    return bool(cKDTree(carried_on(mesh, cut, made, found)).query_pairs(_TORN * edge))
+    return bool(cKDTree(places).query_pairs(_TORN * edge))

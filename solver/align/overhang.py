@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from collections import deque
-from collections.abc import Iterator
-
 import numpy as np
 
 from solver.align.cells import Quads, transitions
@@ -12,6 +9,7 @@ from solver.align.cut import Cut
 from solver.align.seamless import GRID, Map
 from solver.align.seams import TURNS
 from solver.align.triangle_mesh import TriangleMesh
+from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray
 
 # How far round a vertex, in edges of the net, the surface is looked at.
@@ -51,39 +49,44 @@ class _Chart:
         self._twins = mesh.twins
 
     def near(self, seed: int, target: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Points (N, 3) and their coordinates (N, 2) from the target, in the seed's chart."""
-        reach = float(np.linalg.norm(self._corners[seed] - target, axis=1).min()) + _REACH
-        seen = {seed: (np.eye(2), np.zeros(2))}
-        todo, found = deque([seed]), dict[int, FloatArray]()
-        while todo:
-            triangle = todo.popleft()
-            turn, shift = seen[triangle]
-            local = self._corners[triangle] @ turn.T + shift - target
-            far = np.linalg.norm(local, axis=1)
-            for k, vertex in enumerate(self._triangles[triangle].tolist()):
-                if far[k] < reach:
-                    found.setdefault(vertex, local[k])
-            if far.min() < reach:
-                for other, turned, shifted in self._neighbours(triangle, turn, shift):
-                    if other not in seen:
-                        seen[other] = turned, shifted
-                        todo.append(other)
-        return self._points[list(found)], np.array(list(found.values()))
+        """Points (N, 3) and their coordinates (N, 2) from the target, in the seed's chart.
 
-    def _neighbours(
-        self, triangle: int, turn: FloatArray, shift: FloatArray
-    ) -> Iterator[tuple[int, FloatArray, FloatArray]]:
-        for half in range(3 * triangle, 3 * triangle + 3):
-            twin = int(self._twins[half])
-            if twin < 0:
-                continue
-            edge = int(self._edge[half])
-            by, step = TURNS[self._turns[edge]], self._shift[edge]
-            if self._first[edge] == half:
-                back = turn @ by.T
-                yield twin // 3, back, shift - back @ step
-            else:
-                yield twin // 3, turn @ by, shift + turn @ step
+        Triangles are looked at in rings round the seed, each ring at once: there are thousands.
+        """
+        reach = float(np.linalg.norm(self._corners[seed] - target, axis=1).min()) + _REACH
+        seen = np.zeros(len(self._triangles), dtype=bool)
+        seen[seed] = True
+        ring, turn, shift = np.array([seed]), np.eye(2)[None], np.zeros((1, 2))
+        vertices, places = [], []
+        while len(ring):
+            local = self._corners[ring] @ turn.transpose(0, 2, 1) + shift[:, None] - target
+            close = np.linalg.norm(local, axis=2) < reach
+            vertices.append(self._triangles[ring][close])
+            places.append(local[close])
+            on = close.any(axis=1)
+            ring, turn, shift = self._next_ring(ring[on], turn[on], shift[on], seen)
+            seen[ring] = True
+        # Round a singular vertex charts differ: a vertex is where it was first met.
+        found, coordinates = np.concatenate(vertices), np.concatenate(places)
+        first = np.sort(np.unique(found, return_index=True)[1])
+        return self._points[found[first]], coordinates[first]
+
+    def _next_ring(
+        self, ring: IntArray, turn: FloatArray, shift: FloatArray, seen: BoolArray
+    ) -> tuple[IntArray, FloatArray, FloatArray]:
+        """Neighbours not seen yet (N,), turns (N, 2, 2) and shifts (N, 2) of their charts."""
+        half = (3 * ring[:, None] + np.arange(3)).ravel()
+        over = np.repeat(np.arange(len(ring)), 3)
+        other = self._twins[half] // 3
+        new = np.flatnonzero((self._twins[half] >= 0) & ~seen[other])
+        new = new[np.sort(np.unique(other[new], return_index=True)[1])]
+        half, over, other = half[new], over[new], other[new]
+        edge = self._edge[half]
+        by, step = TURNS[self._turns[edge]], self._shift[edge][..., None]
+        forth = (self._first[edge] == half)[:, None, None]
+        turned = turn[over] @ np.where(forth, by.transpose(0, 2, 1), by)
+        moved = np.where(forth, -turned @ step, turn[over] @ step)[..., 0]
+        return other, turned, shift[over] + moved
 
 
 def _value_at_zero(coordinates: FloatArray, points: FloatArray) -> FloatArray:
