@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from freecad_ortho.sources.aligning import stand_in
 from solver.errors import InputError
 from solver.io.reading import read_bytes
 from solver.mesh.border import closed_loops
-from solver.mesh.closest import TriangleSurface
 from solver.mesh.connectivity import BoolArray, IntArray
 from solver.mesh.quadmesh import FloatArray
 from solver.mesh.sampling import ParametricSurface, SampledNet, sampled
@@ -54,8 +54,7 @@ def triangles_on(surfaces: Sequence[ParametricSurface]) -> tuple[FloatArray, Int
         InputError: a face that cannot be sampled.
     """
     area = sum(surface.area for surface in surfaces)
-    made = TriangleSurface.from_quads(sampled(surfaces, edge=math.sqrt(area / _POINTS)).mesh)
-    return made.vertices, made.triangles
+    return stand_in(surfaces, math.sqrt(area / _POINTS))
 
 
 def net_from_step(

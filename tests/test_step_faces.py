@@ -26,6 +26,10 @@ def files(tmp_path_factory):
         - plane("YZ", origin=(-2000, 0, 2000)).circle(400).extrude(4000),
         "ball": plane().sphere(1000),
     }
+    ball = (
+        plane().sphere(12000).intersect(plane().box(30000, 30000, 16000).translate((0, 0, 16000)))
+    )
+    shapes["dome"] = plane(next(x for x in ball.val().Faces() if x.geomType() == "SPHERE"))
     for name, shape in shapes.items():
         cadquery.exporters.export(shape, str(folder / f"{name}.step"))
     return {name: str(folder / f"{name}.step") for name in shapes}
@@ -70,6 +74,15 @@ def test_command_line(files, tmp_path, capsys):
     assert "face 1: its side v = -1.571 shrinks to a point" in capsys.readouterr().err
     part = ["faces", files["ball"], "--sampling", "16x9", "--v-part", "0.1,0.9", "-o", out]
     assert main(part) == 0
+
+
+def test_a_dome_that_is_one_face_round_its_crown_becomes_a_net(files, tmp_path, capsys):
+    start, net = str(tmp_path / "start.json"), str(tmp_path / "net.json")
+    assert main(["align", files["dome"], "--unit", "m", "--edge", "2", "-o", start]) == 0
+    assert "4 irregular vertices" in capsys.readouterr().out
+    assert (
+        main(["optimise", start, "--close-to", files["dome"], "--within", "150mm", "-o", net]) == 0
+    )
 
 
 def test_bad_files_and_faces_get_one_line(files, tmp_path):

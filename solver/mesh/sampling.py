@@ -185,7 +185,8 @@ class _Outline:
                 if lengths[end] < _POINT * self.size:
                     raise InputError(
                         f"{self.surface.name}: its side {name} = {ends[end]:.4g} shrinks to a "
-                        f"point; stop short of it (a smaller part of {name}, such as 0.05 to 0.95)"
+                        f"point; stop short of it (a smaller part of {name}, such as 0.05 to "
+                        "0.95), or give triangles of it (STL)"
                     )
 
     def side(self, k: int) -> FloatArray:
