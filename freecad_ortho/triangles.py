@@ -56,4 +56,6 @@ def read_triangles(
     except Exception as error:  # trimesh raises whatever its many readers raise
         reason = (str(error).splitlines() or ["damaged"])[0][:80]
         raise InputError(f"{path}: cannot be read ({reason}); export OBJ or PLY") from None
+    if not faces.size:
+        raise InputError(f"{path}: has no triangles; it may be cut off: export it again")
     return upright(vertices.reshape(-1, 3), up), faces.astype(np.int64).reshape(-1, 3), None

@@ -122,3 +122,12 @@ def test_without_the_library_one_line_says_so(tmp_path, monkeypatch):
     with pytest.raises(InputError, match="needs the package 'vtk'; install it") as caught:
         api.read_mesh(path)
     assert "\n" not in str(caught.value)
+
+
+def test_a_file_of_triangles_that_was_cut_off_is_named(tmp_path):
+    trimesh = pytest.importorskip("trimesh")
+    whole, part = tmp_path / "whole.stl", tmp_path / "part.stl"
+    trimesh.creation.icosphere(3).export(whole)
+    part.write_bytes(whole.read_bytes()[:5000])
+    with pytest.raises(InputError, match=r"part\.stl: (has no triangles|cannot be read)"):
+        read_triangles(part)
