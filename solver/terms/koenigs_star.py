@@ -35,7 +35,7 @@ class KoenigsStar:
 
     stars: IntArray
     corners: IntArray
-    name: str = "koenigs"
+    name: str = "dual ratio"
     linear: bool = False
 
     @cached_property

@@ -124,7 +124,7 @@ CASES = {
     "multi-net 2 x 2": Case(lambda m: multi_net(m.connectivity, 2, 2), RECTANGLES),
     "circular": Case(lambda m: CircularFace(m.faces), BARREL),
     "conical": Case(lambda m: ConicalStar(m.connectivity.stars), RECTANGLES),
-    "koenigs": Case(
+    "dual ratio": Case(
         lambda m: KoenigsStar(m.connectivity.stars, m.connectivity.diagonal_stars[:, 1:]), BARREL
     ),
     "geodesic": Case(lambda m: GeodesicStar(m.connectivity.stars), RHOMBI),
@@ -338,7 +338,7 @@ EQUATIONS = {
     "face guard": 2 * 12,
     "corner guard": 4 * 12,
     "isometry": 3 * 12,
-    "koenigs": 6,
+    "dual ratio": 6,
     "equilibrium": 3 * 2,
     "closeness": 3 * 20,
     "handles": 3 * 20,
