@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from freecad_ortho.sources.aligning import stand_in
 from solver.errors import InputError
 from solver.io.reading import read_bytes
 from solver.mesh.border import closed_loops
 from solver.mesh.connectivity import BoolArray, IntArray
+from solver.mesh.poles import stand_in
 from solver.mesh.quadmesh import FloatArray
 from solver.mesh.sampling import ParametricSurface, SampledNet, sampled
 

@@ -12,11 +12,9 @@ from freecad_ortho.sources.source import Made, Source
 from solver.align import options as alignment
 from solver.align.align import Aligned, aligned
 from solver.align.crosses import Singular
-from solver.mesh.closest import TriangleSurface
-from solver.mesh.connectivity import IntArray
-from solver.mesh.poles import triangles_round_poles
+from solver.mesh.poles import stand_in
 from solver.mesh.quadmesh import FloatArray, QuadMesh
-from solver.mesh.sampling import ParametricSurface, sampled
+from solver.mesh.sampling import ParametricSurface
 from solver.option import Option
 from solver.sentence import Sentence
 
@@ -137,19 +135,6 @@ def aligned_on(
     )
     mesh = _set_onto(made.mesh, surfaces, edge)
     return replace(made, mesh=mesh)
-
-
-def stand_in(surfaces: Sequence[ParametricSurface], edge: float) -> tuple[FloatArray, IntArray]:
-    """Points (V, 3) and triangles (T, 3) on faces, with edges of about a length.
-
-    Raises:
-        InputError: faces that cannot be sampled.
-    """
-    crowned = triangles_round_poles(surfaces[0], edge) if len(surfaces) == 1 else None
-    if crowned is not None:
-        return crowned
-    made = TriangleSurface.from_quads(sampled(surfaces, edge=edge).mesh)
-    return made.vertices, made.triangles
 
 
 def _in_portions(surface: ParametricSurface, waiting: Callable[[str], object]) -> ParametricSurface:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
 
+from solver.mesh.closest import TriangleSurface
 from solver.mesh.connectivity import IntArray
 from solver.mesh.quadmesh import FloatArray
-from solver.mesh.sampling import ParametricSurface
+from solver.mesh.sampling import ParametricSurface, sampled
 
 # Points along a line in which lengths are measured; lines across them.
 _FINE, _LINES = 129, 9
@@ -16,6 +18,19 @@ _FINE, _LINES = 129, 9
 _POINT = 1e-6
 # Triangles that meet in the point of a closed ring, at least.
 _FEWEST = 6
+
+
+def stand_in(surfaces: Sequence[ParametricSurface], edge: float) -> tuple[FloatArray, IntArray]:
+    """Points (V, 3) and triangles (T, 3) on faces, with edges of about a length.
+
+    Raises:
+        InputError: faces that cannot be sampled.
+    """
+    crowned = triangles_round_poles(surfaces[0], edge) if len(surfaces) == 1 else None
+    if crowned is not None:
+        return crowned
+    made = TriangleSurface.from_quads(sampled(surfaces, edge=edge).mesh)
+    return made.vertices, made.triangles
 
 
 def triangles_round_poles(
