@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.spatial import cKDTree
 
-from solver.align.cells import Quads, crossing, quads
+from solver.align.cells import crossing, quads
 from solver.align.crosses import Crosses, Singular
 from solver.align.cut import cut_open
 from solver.align.features import Features
