@@ -183,7 +183,9 @@ class NearestNet:
                     self.damping = self._damping_after(used, gain / promised, refused)
                     done = taken < tuning.undamped * promised
                     done = done and promised < tuning.along_enough * before
-                    self.finished = done or gain < self.worth * before
+                    # One that had to be shortened does not say what the next will bring.
+                    little = gain < self.worth * before and not refused
+                    self.finished = done or little
                     return length, solving
             self.damping = max(tuning.along_harder * used, tuning.along_refused)
             refused = True
