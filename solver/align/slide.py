@@ -23,8 +23,10 @@ from solver.mesh.quadmesh import FloatArray, QuadMesh, unit_rows
 
 # How much more flat faces count than right angles: a surface bends little within a face.
 _FLAT = 20.0
-# How much it counts that neighbours move alike: the next one where edges would get too short.
-_ALIKE = (0.05, 0.1, 0.2, 0.4, 0.8)
+# How much it counts that neighbours move alike, and that motions change evenly along lines: the
+# next ones where edges would get too short or lines less even. Without the second, lines take on
+# the facets of the surface.
+_ALIKE = ((0.05, 0.2), (0.1, 0.2), (0.2, 0.2), (0.4, 0.4), (0.8, 0.8))
 # How much it counts that a vertex stays; and one of a face at an irregular vertex, where the lines
 # of a smooth net do not cross at right angles.
 _STAYS, _SINGULAR = 0.01, 0.5
@@ -34,6 +36,8 @@ _KEPT = 0.85
 # Lines that bend less evenly (``smoothness``) are left to the optimisation, which evens them out;
 # right angles would keep them as they are.
 _EVEN = 0.25
+# As much of their evenness may be lost.
+_LOST = 0.05
 # In edges, how near to a surface a vertex is on it, and to a line.
 _ON, _HELD = 1e-6, 1e-2
 # Points of a surface whose normals make that of a vertex.
@@ -50,15 +54,17 @@ def slid(net: QuadMesh, surface: TriangleMesh, lines: IntArray) -> QuadMesh:
 
     Returns:
         the net with other places; as it was, where its edges would get too short or faces fold, or
-        where its lines are not even.
+        where its lines are not even or would be so no longer.
     """
-    if smoothness(net) < _EVEN:
+    even = smoothness(net)
+    if even < _EVEN:
         return net
     slide = _Slide.of(net, surface, lines)
     least, folded = _KEPT * edge_ratio(net), int(flipped(net).sum())
     for alike in _ALIKE:
-        moved = slide.moved(alike)
-        if edge_ratio(moved) >= least and int(flipped(moved).sum()) <= folded:
+        moved = slide.moved(*alike)
+        sound = edge_ratio(moved) >= least and int(flipped(moved).sum()) <= folded
+        if sound and smoothness(moved) >= even - _LOST:
             return moved
     return net
 
@@ -100,25 +106,20 @@ class _Slide:
         on = np.asarray((off < _ON * edge) & np.isfinite(stays))
         return cls(net, ground, surface.vertex_normals, on, stays, regular)
 
-    def moved(self, alike: float) -> QuadMesh:
+    def moved(self, alike: float, even: float) -> QuadMesh:
         """The net after some steps.
 
         Args:
-            alike: how much it counts that neighbours move alike.
+            alike: how much it counts that neighbours move alike,
+            even: and that motions change evenly along lines.
         """
         net, edge = self.net, self.net.mean_edge
         free = np.flatnonzero(np.isfinite(self.stays))
         count = len(net.vertices)
-        one, two = net.connectivity.edges.T
-        row, unit = np.arange(len(one)), np.ones(len(one))
-        apart = csr_array(
-            coo_array(
-                (np.concatenate([unit, -unit]), (np.tile(row, 2), np.concatenate([one, two]))),
-                shape=(len(one), count),
-            )
-        )
+        apart = _differences(net.connectivity.edges, (1.0, -1.0), count)
+        bends = _differences(net.connectivity.line_triples, (1.0, -2.0, 1.0), count)
         stays = np.where(np.isfinite(self.stays), self.stays, 0.0)
-        held = vstack([alike * apart, diags_array(stays)]) / edge
+        held = vstack([alike * apart, even * bends, diags_array(stays)]) / edge
         motion = csr_array(kron(held, eye_array(3)))
         places = net.vertices.copy()
         for _ in range(_STEPS):
@@ -139,6 +140,13 @@ class _Slide:
         up = unit_rows((weight[:, :, None] * self.normals[near]).sum(axis=1))
         first = unit_rows(np.cross(up, np.eye(3)[np.argmin(np.abs(up), axis=1)]))
         return np.stack([first, np.cross(up, first)], axis=1)
+
+
+def _differences(groups: IntArray, factors: tuple[float, ...], count: int) -> csr_array:
+    """(N, count) sums of N groups (N, k) of vertices, each with its factor."""
+    row = np.repeat(np.arange(len(groups)), len(factors))
+    value = np.tile(factors, len(groups))
+    return csr_array(coo_array((value, (row, groups.ravel())), shape=(len(groups), count)))
 
 
 def _spread(tangents: FloatArray, free: IntArray, count: int) -> csr_array:

@@ -113,8 +113,11 @@ def test_principal_nets_are_aligned_so(formula):
     given = triangles(formula)
     made, plain = (aligned(*given, net=net, edge=2.0).mesh for net in ("principal", "developable"))
     assert np.array_equal(made.faces, plain.faces)
-    assert worst(made)[0] < worst(plain)[0] / 2
-    assert worst(made)[1] < worst(plain)[1]
+    # A tenth of what the start of an optimisation may have is not lowered for its own sake.
+    assert worst(made)[0] < max(worst(plain)[0] / 2, 3e-3)
+    assert worst(made)[1] < worst(plain)[1] / 2
+    # Without even motions vertices follow the facets of the surface, and lines zigzag.
+    assert measures.smoothness(made) >= measures.smoothness(plain) - 0.05
     off = TriangleSurface(*given)
     far = [np.linalg.norm(n.vertices - off.closest(n.vertices)[0], axis=1) for n in (made, plain)]
     # The same vertices are on the surface, but for some at its border.
