@@ -138,7 +138,8 @@ def _outline(start: QuadMesh, mesh: QuadMesh, most: float) -> Finding:
         far <= most,
         f"vertex {vertex}",
         _at(mesh, np.array([vertex])),
-        "a planar net, which need not leave it, or one that overhangs the border and is cut there",
+        "a net that overhangs the border and is cut there, or a planar one that glides on its "
+        "border, with faces that are flat but for some millimetres",
     )
 
 
