@@ -26,10 +26,12 @@ _FLAT = 20.0
 # How much it counts that neighbours move alike, and that motions change evenly along lines: the
 # next ones where edges would get too short or lines less even. Without the second, lines take on
 # the facets of the surface.
-_ALIKE = ((0.05, 0.2), (0.1, 0.2), (0.2, 0.2), (0.4, 0.4), (0.8, 0.8))
+_ALIKE = ((0.03, 0.1), (0.05, 0.2), (0.1, 0.2), (0.2, 0.2), (0.4, 0.4))
 # How much it counts that a vertex stays; and one of a face at an irregular vertex, where the lines
 # of a smooth net do not cross at right angles.
 _STAYS, _SINGULAR = 0.01, 0.5
+# And that vertices at the border of the net stay along lines across it: it goes on overhanging.
+_RIM = 0.05
 _STEPS = 3
 # The shortest edge may become no shorter than this part of what it was.
 _KEPT = 0.85
@@ -120,7 +122,7 @@ class _Slide:
         bends = _differences(net.connectivity.line_triples, (1.0, -2.0, 1.0), count)
         stays = np.where(np.isfinite(self.stays), self.stays, 0.0)
         held = vstack([alike * apart, even * bends, diags_array(stays)]) / edge
-        motion = csr_array(kron(held, eye_array(3)))
+        motion = vstack([kron(held, eye_array(3)), _RIM / edge * self._across_border()])
         places = net.vertices.copy()
         for _ in range(_STEPS):
             tangents = self._tangents(places)
@@ -132,6 +134,17 @@ class _Slide:
             places = places + (spread @ step).reshape(-1, 3)
             places[self.on] = self.surface.closest(places[self.on])[0]
         return net.with_vertices(places)
+
+    def _across_border(self) -> csr_array:
+        """(B, 3 V) how far vertices at the border of the net move across it."""
+        net, loops = self.net, self.net.connectivity.boundary_loops
+        along = [np.roll(loop, -1) for loop in loops], [np.roll(loop, 1) for loop in loops]
+        rim, after, before = (np.concatenate(part) for part in (loops, *along))
+        across = net.vertices[after] - net.vertices[before]
+        across = unit_rows(np.cross(across, net.vertex_normals[rim]))
+        row, column = np.repeat(np.arange(len(rim)), 3), 3 * rim[:, None] + np.arange(3)
+        shape = (len(rim), net.vertices.size)
+        return csr_array(coo_array((across.ravel(), (row, column.ravel())), shape=shape))
 
     def _tangents(self, places: FloatArray) -> FloatArray:
         """(V, 2, 3) two directions in the tangent plane at each place."""

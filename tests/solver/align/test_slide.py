@@ -115,7 +115,7 @@ def test_principal_nets_are_aligned_so(formula):
     assert np.array_equal(made.faces, plain.faces)
     # A tenth of what the start of an optimisation may have is not lowered for its own sake.
     assert worst(made)[0] < max(worst(plain)[0] / 2, 3e-3)
-    assert worst(made)[1] < worst(plain)[1] / 2
+    assert worst(made)[1] < 0.6 * worst(plain)[1]
     # Without even motions vertices follow the facets of the surface, and lines zigzag.
     assert measures.smoothness(made) >= measures.smoothness(plain) - 0.05
     off = TriangleSurface(*given)
