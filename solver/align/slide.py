@@ -99,6 +99,8 @@ class _Slide:
         regular = np.asarray(~irregular[net.faces].any(axis=1))
         stays = np.full(len(places), _STAYS)
         stays[net.faces[~regular]] = _SINGULAR
+        # They stand where the surface is round, or where they were wanted.
+        stays[irregular] = np.inf
         if len(lines):
             held = TriangleSurface(surface.points, lines[:, [0, 1, 1]])
             near = np.linalg.norm(held.closest(places)[0] - places, axis=1)

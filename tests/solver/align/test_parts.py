@@ -5,9 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from solver.align.align import _crossing
 from solver.align.apron import extended
-from solver.align.cells import Quads, quads
+from solver.align.cells import Quads, crossing, quads
 from solver.align.cut import cut_open
 from solver.align.features import Features
 from solver.align.field import DirectionField, curvature_guide, smooth_field, turns
@@ -242,7 +241,7 @@ def test_a_surface_reaches_as_far_as_what_overhangs_it():
 def test_faces_of_a_map_that_overlap_are_found(faces, wrong):
     places = np.arange(18.0).reshape(6, 3)
     none = np.zeros(6, dtype=int)
-    found = _crossing(Quads(np.array(faces), places, none > 0, none, np.zeros((6, 2), int), 0))
+    found = crossing(Quads(np.array(faces), places, none > 0, none, np.zeros((6, 2), int), 0))
     assert (found is None) if wrong is None else np.array_equal(found, places[wrong])
 
 
