@@ -22,7 +22,7 @@ _LISTS = ("hub-holes.csv", "ball-holes.csv")
 # Of a row of the table, of what stands around a view, and of what is between faces, mm on paper.
 _ROW, _AROUND, _BETWEEN = 4.6, 22.0, 17.0
 _CHAIN = (4.0, 1.0, 0.6, 1.0)
-# Names of equal nodes that a page has; the list of parts has all.
+# Names of equal nodes that a page has; the report has all.
 _NAMES = 12
 _DEGREE, _DIAMETER = "\N{DEGREE SIGN}", "\N{LATIN CAPITAL LETTER O WITH STROKE}"
 _Rows = list[tuple[object, ...]]
@@ -63,7 +63,7 @@ def _page(
         f"plates and beams are those of {part.name}",
     ]
     if len(group) > 1:
-        notes.append(f"alike: {some_names(group, _NAMES)}".replace("which the report lists", ""))
+        notes.append(f"alike: {some_names(group, _NAMES)}")
     low, high = room_of(form, len(notes))
     below = _ROW * (len(rows) + 2)
     room = np.array([(high - low)[0] / 2, (high - low)[1] - below]) - 2 * _AROUND
@@ -149,11 +149,9 @@ def _faces(
     body: HollowPrism, columns: Sequence[str], rows: _Rows
 ) -> list[tuple[float, float, list[int]]]:
     """Azimuth and width, mm, of each face that is drilled, and the numbers of its rows."""
-    middles = (body.outer + np.roll(body.outer, 1, axis=0)) / 2
-    widths = np.linalg.norm(body.outer - np.roll(body.outer, 1, axis=0), axis=1)
-    normals = body.outer - np.roll(body.outer, 1, axis=0)
-    normals = np.column_stack([normals[:, 1], -normals[:, 0]]) / widths[:, None]
-    assert len(middles) == len(normals)
+    sides = body.outer - np.roll(body.outer, 1, axis=0)
+    widths = np.linalg.norm(sides, axis=1)
+    normals = np.column_stack([sides[:, 1], -sides[:, 0]]) / widths[:, None]
     found = []
     for azimuth, numbers in _by_azimuth(columns, rows).items():
         side = int((normals @ _way(azimuth)).argmax())
